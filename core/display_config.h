@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+
+namespace steradian {
+
+/// The OpenColorIO configuration that Steradian brings with it, as the text of an .ocio file: reference space linear
+/// Rec.709/D65, one display "sRGB" with the views "sRGB", "ACES SDR", "Book" and "Raw", and both interchange roles.
+/// It consists of transforms built into OpenColorIO >= 2.1 and needs no other file.
+const std::string& displayConfigText();
+
+}  // namespace steradian

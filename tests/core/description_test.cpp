@@ -1,0 +1,93 @@
+#include "steradian/core/description.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace steradian {
+namespace {
+
+SceneDescription sphereScene() {
+  SceneDescription scene;
+  const Id white = scene.addMaterial("white", LambertMaterial{scene.addColour({0.5f, 0.5f, 0.5f})});
+  SphereSet set;
+  set.add({0.0f, 0.0f, 0.0f}, 1.0f);
+  scene.addShape("ball", std::move(set), white);
+  return scene;
+}
+
+/// Number of complaints after `spoil` has changed a valid scene.
+template <class Spoil>
+std::size_t complaints(Spoil spoil) {
+  SceneDescription scene = sphereScene();
+  spoil(scene);
+  return validate(scene).errorCount();
+}
+
+TEST(Description, ValidSceneHasNoComplaints) {
+  EXPECT_EQ(complaints([](SceneDescription&) {}), 0u);
+}
+
+TEST(Description, EachFaultIsFound) {
+  EXPECT_EQ(complaints([](auto& s) { s.shapes[0].material = 7; }), 1u);
+  EXPECT_EQ(complaints([](auto& s) { s.shapes[0].emission = 0; }), 1u);
+  EXPECT_EQ(complaints([](auto& s) { s.shapes[0].primitiveMaterials = {0, 0}; }), 1u);
+  EXPECT_EQ(complaints([](auto& s) { std::get<SphereSet>(s.shapes[0].geometry).radius[0] = -1.0f; }), 1u);
+  EXPECT_EQ(complaints([](auto& s) { std::get<SphereSet>(s.shapes[0].geometry).centerX[0] = NAN; }), 1u);
+  EXPECT_EQ(complaints([](auto& s) { std::get<SphereSet>(s.shapes[0].geometry).centerX.clear(); }), 1u);
+  EXPECT_EQ(complaints([](auto& s) { s.addColour({1.5f, 0.0f, 0.0f}); }), 0u) << "an unused texture may be any";
+  EXPECT_EQ(complaints([](auto& s) { s.addMaterial("hot", LambertMaterial{s.addColour({1.5f, 0.0f, 0.0f})}); }), 1u);
+  EXPECT_EQ(complaints([](auto& s) { s.addMaterial("fuzzy", MetalMaterial{0, 2.0f}); }), 1u);
+  EXPECT_EQ(complaints([](auto& s) { s.addMaterial("glass", DielectricMaterial{.eta = 0.0f}); }), 1u);
+  EXPECT_EQ(complaints([](auto& s) { s.addTexture(CheckerTexture{.even = 0, .odd = 1}); }), 1u) << "refers to itself";
+  EXPECT_EQ(complaints([](auto& s) { s.addLight("spot", SpotLight{.innerAngle = 40.0f, .outerAngle = 30.0f}); }), 2u);
+  EXPECT_EQ(complaints([](auto& s) { s.addLight("sky", ConstantSky{{-1.0f, 0.0f, 0.0f}}); }), 1u);
+  EXPECT_EQ(complaints([](auto& s) { s.groups.push_back({"g", {9}}); }), 1u);
+  EXPECT_EQ(complaints([](auto& s) { s.instances.push_back({3, {}, {}}); }), 1u);
+  EXPECT_EQ(complaints([](auto& s) { s.defaults.width = 0; }), 1u);
+  EXPECT_EQ(complaints([](auto& s) { s.camera = PerspectiveCamera{.verticalFov = 180.0f}; }), 1u);
+}
+
+TEST(Description, AllFaultsAtOnce) {
+  EXPECT_EQ(complaints([](auto& s) {
+              s.shapes[0].material = 7;
+              s.defaults.width = 0;
+              s.instances.push_back({3, {}, {}});
+            }),
+            3u);
+}
+
+TEST(Description, DegenerateQuadsBoxesDisksAndMeshesAreRefused) {
+  const auto with = [](ShapeGeometry geometry) {
+    return complaints([&](SceneDescription& s) { s.addShape("bad", std::move(geometry), 0); });
+  };
+  QuadSet flat;
+  flat.add({0.0f, 0.0f, 0.0f}, {1.0f, 0.0f, 0.0f}, {2.0f, 0.0f, 0.0f});
+  EXPECT_EQ(with(flat), 1u);
+  BoxSet thin;
+  thin.add({0.0f, 0.0f, 0.0f}, {1.0f, 0.0f, 1.0f});
+  EXPECT_EQ(with(thin), 1u);
+  BoxSet mixed;
+  mixed.add({0.0f, 0.0f, 0.0f}, {1.0f, 1.0f, 1.0f});
+  mixed.addRotatedY({0.0f, 0.0f, 0.0f}, {1.0f, 1.0f, 1.0f}, 30.0f);
+  EXPECT_EQ(with(mixed), 1u);
+  DiskSet skewed;
+  skewed.add({0.0f, 0.0f, 0.0f}, {0.0f, 2.0f, 0.0f}, 1.0f);
+  EXPECT_EQ(with(skewed), 1u);
+  EXPECT_EQ(with(TriangleMesh{.positions = {{}, {}, {}}, .indices = {0, 1, 3}, .normals = {}, .uvs = {}}), 1u);
+  EXPECT_EQ(with(TriangleMesh{.positions = {{}, {}, {}}, .indices = {0, 1}, .normals = {}, .uvs = {}}), 1u);
+  EXPECT_EQ(with(CustomShapeSet{{nullptr}}), 1u);
+}
+
+TEST(Description, SingularTransformsAreRefused) {
+  EXPECT_EQ(complaints([](SceneDescription& s) {
+              s.groups.push_back({"g", {0}});
+              Matrix flat;
+              flat.setScale(Imath::V3f(1.0f, 0.0f, 1.0f));
+              s.instances.push_back({0, {flat}, {}});
+            }),
+            1u);
+}
+
+}  // namespace
+}  // namespace steradian

@@ -1,0 +1,175 @@
+#include "steradian/core/sampler.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "steradian/core/standard_error.h"
+#include "steradian/tests/support/lanes_check.h"
+#include "steradian/tests/support/nets.h"
+
+namespace steradian {
+namespace {
+
+using Word = std::uint32_t;
+using test::isNet;
+using test::isStratified;
+
+constexpr std::array<SamplerType, 3> kTypes{SamplerType::Independent, SamplerType::Stratified, SamplerType::Sobol};
+
+TEST(Sampler, TypesHaveNames) {
+  for (const SamplerType type : kTypes) EXPECT_EQ(samplerTypeOf(nameOf(type)), type);
+  EXPECT_EQ(samplerTypeOf("sobol"), SamplerType::Sobol);
+  EXPECT_FALSE(samplerTypeOf("halton"));
+  EXPECT_FALSE(samplerTypeOf(""));
+}
+
+TEST(Sampler, DimensionsOfBouncesAndPurposesDiffer) {
+  std::vector<Word> seen;
+  for (Word bounce = 0; bounce < 5; ++bounce) {
+    for (Word p = 0; p < kPurposeCount; ++p) seen.push_back(dimensionOf(bounce, static_cast<Purpose>(p)));
+  }
+  std::sort(seen.begin(), seen.end());
+  EXPECT_EQ(std::unique(seen.begin(), seen.end()), seen.end());
+  const Sampler<float> sampler({}, 3u, 5u);
+  EXPECT_EQ(sampler.get1D(2u, Purpose::Roulette), sampler.get1D(dimensionOf(2u, Purpose::Roulette)));
+  EXPECT_TRUE(test::sameBits(sampler.get2D(0u, Purpose::Lens), sampler.get2D(dimensionOf(0u, Purpose::Lens))));
+}
+
+TEST(Sampler, SobolBlocksAreNetsInEveryDimension) {
+  for (const Word pixel : {0u, 1u, 4000000000u}) {
+    for (const Word dimension : {0u, 4u, 300u}) {
+      for (int m = 0; m <= 8; ++m) {
+        for (const Word block : {0u, 1u, 3u, 1000u}) {
+          std::vector<Vec2f> pairs;
+          std::vector<float> singles;
+          for (Word i = 0; i < (1u << m); ++i) {
+            const Sampler<float> sampler({SamplerType::Sobol, 9u, 1u, 1u}, pixel, (block << m) + i);
+            pairs.push_back(sampler.get2D(dimension));
+            singles.push_back(sampler.get1D(dimension));
+          }
+          EXPECT_TRUE(isNet(pairs)) << m << ' ' << block;
+          EXPECT_TRUE(isStratified(singles)) << m << ' ' << block;
+        }
+      }
+    }
+  }
+}
+
+TEST(Sampler, SubSequencesOfTheFilmAreNets) {
+  for (Word count = 8; count <= 1024; count *= 2) {
+    std::array<std::vector<Vec2f>, kSubSequences> parts;
+    for (Word i = 0; i < count; ++i) {
+      const Sampler<float> sampler({}, 77u, i);
+      parts.at(i >> subSequenceShift(count - 1)).push_back(sampler.get2D(0u, Purpose::Film));
+    }
+    for (const auto& part : parts) {
+      EXPECT_EQ(part.size(), count / kSubSequences);
+      EXPECT_TRUE(isNet(part)) << count;
+    }
+  }
+}
+
+TEST(Sampler, ReplicatesAreDifferentNets) {
+  constexpr Word replicates = 3;
+  std::array<std::vector<Vec2f>, replicates> sequences;
+  std::array<std::vector<float>, replicates> strata;
+  for (Word i = 0; i < 64 * replicates; ++i) {
+    sequences[i % replicates].push_back(Sampler<float>({SamplerType::Sobol, 0u, 1u, replicates}, 5u, i).get2D(7u));
+    strata[i % replicates].push_back(
+        Sampler<float>({SamplerType::Stratified, 0u, 64 * replicates, replicates}, 5u, i).get1D(7u));
+  }
+  for (Word r = 0; r < replicates; ++r) {
+    EXPECT_TRUE(isNet(sequences[r]));
+    EXPECT_TRUE(isStratified(strata[r]));
+    int equal = 0;
+    for (std::size_t i = 0; i < 64; ++i) equal += sequences[r][i].x == sequences[(r + 1) % replicates][i].x;
+    EXPECT_LE(equal, 1);
+  }
+}
+
+TEST(Sampler, StratifiedFillsEveryStratumOnce) {
+  for (const Word count : {1u, 2u, 4u, 9u, 64u, 100u}) {
+    for (const Word grid : {0u, 1u, 5u}) {
+      std::vector<float> singles;
+      std::vector<bool> cells(count, false);
+      const auto side = static_cast<Word>(std::sqrt(static_cast<double>(count)));
+      const Word columns = side, rows = (count + side - 1) / side;
+      cells.resize(columns * rows, false);
+      for (Word i = 0; i < count; ++i) {
+        // Samples beyond the count begin another grid.
+        const Sampler<float> sampler({SamplerType::Stratified, 1u, count, 1u}, 12u, grid * count + i);
+        singles.push_back(sampler.get1D(3u));
+        const Vec2f p = sampler.get2D(2u);
+        const auto cell = static_cast<std::size_t>(p.y * static_cast<float>(rows)) * columns +
+                          static_cast<std::size_t>(p.x * static_cast<float>(columns));
+        EXPECT_FALSE(cells[cell]) << count;
+        cells[cell] = true;
+      }
+      EXPECT_TRUE(isStratified(singles)) << count;
+    }
+  }
+}
+
+TEST(Sampler, EveryPartOfTheCoordinateMatters) {
+  for (const SamplerType type : kTypes) {
+    const auto draw = [&](Word seed, Word pixel, Word sample, Word dimension) {
+      return Sampler<float>({type, seed, 64u, 1u}, pixel, sample).get2D(dimension);
+    };
+    std::array<int, 4> equal{};
+    for (Word i = 0; i < 200; ++i) {
+      const Vec2f p = draw(i, i + 1, i % 32, i + 3);
+      equal[0] += p.x == draw(i + 1, i + 1, i % 32, i + 3).x;
+      equal[1] += p.x == draw(i, i + 2, i % 32, i + 3).x;
+      equal[2] += p.x == draw(i, i + 1, i % 32 + 1, i + 3).x;
+      equal[3] += p.x == draw(i, i + 1, i % 32, i + 4).x;
+      EXPECT_TRUE(p.x >= 0.0f && p.x < 1.0f && p.y >= 0.0f && p.y < 1.0f);
+      EXPECT_TRUE(test::sameBits(p, draw(i, i + 1, i % 32, i + 3))) << "a pure function of its coordinate";
+    }
+    for (const int count : equal) EXPECT_LE(count, 1) << nameOf(type);
+  }
+}
+
+template <class F>
+void expectLanesAgree(const SamplerSettings& settings) {
+  for (Word trial = 0; trial < 20; ++trial) {
+    UintOf<F> pixel(trial), sample(trial), dimension(trial);
+    for (int i = 0; i < widthOf<F>; ++i) {
+      const auto words = randomWords(trial, static_cast<Word>(i), 3u, 4u);
+      setLane(pixel, i, words[0] % 1000000u);
+      setLane(sample, i, trial % 2 == 0 ? words[1] % 300u : words[1]);
+      setLane(dimension, i, words[2] % 100u);
+    }
+    const Sampler<F> wide(settings, pixel, sample);
+    const auto pairs = wide.get2D(dimension);
+    const auto singles = wide.get1D(dimension);
+    for (int i = 0; i < widthOf<F>; ++i) {
+      const Sampler<float> narrow(settings, lane(pixel, i), lane(sample, i));
+      EXPECT_TRUE(test::sameBits(lane(pairs, i), narrow.get2D(lane(dimension, i)))) << nameOf(settings.type);
+      EXPECT_EQ(lane(singles, i), narrow.get1D(lane(dimension, i))) << nameOf(settings.type);
+    }
+  }
+}
+
+TEST(Sampler, LanesAgreeWithScalars) {
+  for (const SamplerType type : kTypes) {
+    for (const Word replicates : {1u, 3u}) {
+      expectLanesAgree<Lanes<4>>({type, 17u, 60u, replicates});
+      expectLanesAgree<Lanes<8>>({type, 17u, 60u, replicates});
+    }
+  }
+}
+
+TEST(Sampler, DegenerateSettingsWork) {
+  for (const SamplerType type : kTypes) {
+    const Vec2f p = Sampler<float>({type, 0u, 0u, 0u}, 1u, 1u).get2D(0u);
+    EXPECT_TRUE(p.x >= 0.0f && p.x < 1.0f);
+    const float x = Sampler<float>({type, 0u, 0xffffffffu, 1u}, 0xffffffffu, 0xffffffffu).get1D(0xffffffffu);
+    EXPECT_TRUE(x >= 0.0f && x < 1.0f);
+    const Vec2f q = Sampler<float>({type, 0u, 0xffffffffu, 1u}, 0xffffffffu, 0xffffffffu).get2D(0xffffffffu);
+    EXPECT_TRUE(q.x >= 0.0f && q.x < 1.0f && q.y >= 0.0f && q.y < 1.0f);
+  }
+}
+
+}  // namespace
+}  // namespace steradian
