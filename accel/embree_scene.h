@@ -1,0 +1,69 @@
+#pragma once
+/// Embree's objects as values, and our clusters as its user geometry. Only files of this folder see it.
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include "steradian/accel/embree_api.h"
+#include "steradian/accel/shapes/cluster_set.h"
+
+namespace steradian::embree {
+
+/// A device of our own: one per Geometry, so that nothing is shared with whoever else uses Embree in the process.
+/// Its errors become exceptions, its memory is counted.
+class Device {
+ public:
+  Device();
+  ~Device();
+  Device(const Device&) = delete;
+  Device& operator=(const Device&) = delete;
+
+  RTCDevice get() const { return device_; }
+  /// Throws Error if any call has failed since.
+  void check() const;
+  /// What the device holds now.
+  std::size_t bytes() const;
+
+ private:
+  RTCDevice device_;
+  mutable std::mutex mutex_;
+  RTCError error_ = RTC_ERROR_NONE;
+  std::string message_;
+  std::atomic<std::ptrdiff_t> bytes_{0};
+};
+
+/// What Embree calls back with for a user geometry.
+struct ClusterGeometry {
+  const ClusterSet* clusters;
+  float padding;  ///< bounds are this much wider on every side; scene units
+};
+
+/// One hierarchy.
+class Scene {
+ public:
+  Scene() = default;
+  /// `robust` for scenes with native triangles: their test then leaves no cracks between neighbours.
+  Scene(const Device& device, bool robust);
+
+  RTCScene get() const { return scene_.get(); }
+  /// The primitives of `geometry`, as a user geometry of this id. Hits carry the shape as geomID, its primitive as
+  /// primID. `geometry` must outlive the scene.
+  void attachClusters(const Device& device, const ClusterGeometry& geometry, std::uint32_t id);
+  void attachTriangles(const Device& device, const TriangleMesh& mesh, std::uint32_t id);
+  void attachInstance(const Device& device, const Scene& group, const Matrix& localToWorld, std::uint32_t id);
+  /// Builds the hierarchy with the threads of the caller's arena.
+  void commit();
+
+ private:
+  struct Release {
+    void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
+  };
+  std::unique_ptr<RTCSceneTy, Release> scene_;
+};
+
+/// Nearest hit; ids of instances are those they were attached with.
+LeafHit intersect(const Scene& scene, const Ray<float>& ray);
+bool occluded(const Scene& scene, const Ray<float>& ray);
+
+}  // namespace steradian::embree

@@ -1,0 +1,274 @@
+#include "steradian/accel/geometry.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <optional>
+
+#include "steradian/accel/embree_scene.h"
+#include "steradian/accel/shapes/shape_at.h"
+#include "steradian/accel/surface_point_of.h"
+
+namespace steradian {
+namespace {
+
+/// Clusters, and the Embree scene over them, of the world or of one group.
+struct Hierarchy {
+  std::vector<Id> meshes;  ///< shapes that are native triangles
+  Bounds3 bounds;          ///< of its own shapes
+  ClusterSet clusters;
+  embree::ClusterGeometry forEmbree{};
+  embree::Scene scene;
+};
+
+/// Embree's non-robust box test and the kernels differ in rounding; with bounds this much wider it passes every
+/// cluster that may hold a hit, also those exactly as far as the nearest one.
+float paddingFor(float magnitude) { return 4.0f * 0x1p-23f * magnitude; }
+
+Vec3f cameraPosition(const CameraDescription& camera) {
+  return std::visit([](const auto& c) { return c.lookFrom; }, camera);
+}
+
+Bounds3 transformedBounds(const Bounds3& bounds, const Matrix& matrix) {
+  Bounds3 result;
+  if (bounds.empty()) return result;
+  for (int corner = 0; corner < 8; ++corner) {
+    result.include(transformPoint(
+        matrix, Vec3f{corner & 1 ? bounds.high.x : bounds.low.x, corner & 2 ? bounds.high.y : bounds.low.y,
+                      corner & 4 ? bounds.high.z : bounds.low.z}));
+  }
+  return result;
+}
+
+bool areFinite(const Bounds3& b) {
+  return isFinite(b.low.x + b.low.y + b.low.z) && isFinite(b.high.x + b.high.y + b.high.z);
+}
+
+Matrix inverseOf(const Matrix& matrix, const SourceRange& where) {
+  const Imath::M44d inverse = Imath::M44d(matrix).inverse();
+  const Matrix result(inverse);
+  bool finite = Imath::M44d(matrix).determinant() != 0.0;
+  for (int i = 0; i < 4; ++i) {
+    for (int j = 0; j < 4; ++j) finite = finite && isFinite(result[i][j]) && isFinite(matrix[i][j]);
+  }
+  if (!finite) throw Error(ErrorKind::Scene, Diagnostic{Severity::Error, where, "the transform has no inverse", ""});
+  return result;
+}
+
+/// Rays that neither Embree nor the kernels could make sense of.
+bool isUsable(const Ray<float>& ray) {
+  const Vec3f o = absolute(ray.origin), d = absolute(ray.direction);
+  const float sum = o.x + o.y + o.z + d.x + d.y + d.z;
+  return isFinite(sum) & (d.x + d.y + d.z > 0.0f) & (ray.tMin >= 0.0f) & (ray.tMax > ray.tMin);
+}
+
+void count(const ShapeGeometry& geometry, GeometryStatistics& statistics) {
+  struct Visitor {
+    GeometryStatistics& s;
+    std::size_t& operator()(const SphereSet&) const { return s.spheres; }
+    std::size_t& operator()(const QuadSet&) const { return s.quads; }
+    std::size_t& operator()(const BoxSet&) const { return s.boxes; }
+    std::size_t& operator()(const DiskSet&) const { return s.disks; }
+    std::size_t& operator()(const TriangleMesh&) const { return s.triangles; }
+    std::size_t& operator()(const CustomShapeSet&) const { return s.custom; }
+  };
+  std::visit(Visitor{statistics}, geometry) += primitiveCount(geometry);
+}
+
+}  // namespace
+
+struct Geometry::Implementation {
+  std::shared_ptr<const SceneDescription> description;
+  std::vector<Matrix> transforms, inverses;
+  /// By shape: where a large set is in its clusters (see ClusterSet::placesOf); null for others.
+  struct Places {
+    const ClusterSet* clusters = nullptr;
+    const std::uint32_t* of = nullptr;
+  };
+  std::vector<Places> places;
+  Bounds3 bounds;
+  GeometryStatistics statistics;
+  // Destroyed in reverse order: scenes before their device.
+  std::unique_ptr<embree::Device> device;  ///< none: the world's clusters are tested one after the other
+  std::vector<std::unique_ptr<Hierarchy>> groups;
+  Hierarchy world;
+
+  std::uint32_t clustersId() const { return static_cast<std::uint32_t>(description->shapes.size()); }
+  std::uint32_t firstInstanceId() const { return clustersId() + 1; }
+
+  void gather(Hierarchy& hierarchy, std::span<const Id> shapes, bool clusterMeshes);
+  SurfacePoint<float> localPoint(const Ray<float>& ray, const Hit<float>& hit) const;
+  void placeInstances();
+  void buildHierarchies();
+  void build(Hierarchy& hierarchy, float padding);
+};
+
+void Geometry::Implementation::gather(Hierarchy& hierarchy, std::span<const Id> shapes, bool clusterMeshes) {
+  std::vector<Id> clustered;
+  for (const Id shape : shapes) {
+    const ShapeDescription& s = description->shapes[shape];
+    const auto* mesh = std::get_if<TriangleMesh>(&s.geometry);
+    if (mesh && !clusterMeshes) {
+      hierarchy.meshes.push_back(shape);
+      for (const std::uint32_t i : mesh->indices) hierarchy.bounds.include(mesh->positions[i]);
+    } else {
+      clustered.push_back(shape);
+    }
+    if (const auto* custom = std::get_if<CustomShapeSet>(&s.geometry)) {
+      for (const auto& implementation : custom->shapes) {
+        if (areFinite(implementation->bounds())) continue;
+        throw Error(ErrorKind::Scene,
+                    Diagnostic{Severity::Error, s.where, "the bounds of a custom shape are not finite", ""});
+      }
+    }
+  }
+  hierarchy.clusters = ClusterSet(*description, clustered);
+  for (const Id shape : clustered) {
+    if (const std::uint32_t* of = hierarchy.clusters.placesOf(shape)) places[shape] = {&hierarchy.clusters, of};
+  }
+  hierarchy.bounds.include(hierarchy.clusters.bounds());
+  statistics.clusters += hierarchy.clusters.size();
+}
+
+SurfacePoint<float> Geometry::Implementation::localPoint(const Ray<float>& ray, const Hit<float>& hit) const {
+  const Places& place = places[hit.shape];
+  if (place.of) return localSurfacePoint(place.clusters->leafShape(place.of[hit.primitive]), ray, hit);
+  return localSurfacePoint(description->shapes[hit.shape], ray, hit);
+}
+
+void Geometry::Implementation::placeInstances() {
+  bounds = world.bounds;
+  for (const InstanceSet& set : description->instances) {
+    for (const Matrix& matrix : set.transforms) {
+      transforms.push_back(matrix);
+      inverses.push_back(inverseOf(matrix, set.where));
+      bounds.include(transformedBounds(groups[set.group]->bounds, matrix));
+    }
+  }
+  statistics.instances = transforms.size();
+}
+
+void Geometry::Implementation::build(Hierarchy& hierarchy, float padding) {
+  hierarchy.scene = embree::Scene(*device, !hierarchy.meshes.empty());
+  if (hierarchy.clusters.size() > 0) {
+    hierarchy.forEmbree = {&hierarchy.clusters, padding};
+    hierarchy.scene.attachClusters(*device, hierarchy.forEmbree, clustersId());
+  }
+  for (const Id mesh : hierarchy.meshes) {
+    hierarchy.scene.attachTriangles(*device, std::get<TriangleMesh>(description->shapes[mesh].geometry), mesh);
+  }
+}
+
+void Geometry::Implementation::buildHierarchies() {
+  // Whatever rays start from: the camera, and the surfaces.
+  Bounds3 origins = bounds;
+  origins.include(cameraPosition(description->camera));
+  std::vector<float> groupMagnitudes(groups.size(), 0.0f);
+  std::size_t flat = 0;
+  for (const InstanceSet& set : description->instances) {
+    float& magnitude = groupMagnitudes[set.group];
+    for (std::size_t i = 0; i < set.transforms.size(); ++i) {
+      magnitude = maximum(magnitude, transformedBounds(origins, inverses[flat++]).magnitude());
+    }
+  }
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    build(*groups[g], paddingFor(groupMagnitudes[g]));
+    groups[g]->scene.commit();
+    groups[g]->clusters.dropBounds();
+  }
+  build(world, paddingFor(origins.magnitude()));
+  flat = 0;
+  for (const InstanceSet& set : description->instances) {
+    for (const Matrix& matrix : set.transforms) {
+      const auto id = firstInstanceId() + static_cast<std::uint32_t>(flat++);
+      world.scene.attachInstance(*device, groups[set.group]->scene, matrix, id);
+    }
+  }
+  world.scene.commit();
+  device->check();
+}
+
+Geometry::Geometry(std::shared_ptr<const SceneDescription> scene, GeometrySettings settings)
+    : implementation_(std::make_unique<Implementation>()) {
+  const auto start = std::chrono::steady_clock::now();
+  Implementation& self = *implementation_;
+  self.description = std::move(scene);
+  const SceneDescription& description = *self.description;
+  self.places.resize(description.shapes.size());
+  std::vector<bool> grouped(description.shapes.size(), false);
+  for (const Group& group : description.groups) {
+    for (const Id shape : group.shapes) grouped[shape] = true;
+  }
+  std::vector<Id> placed;
+  for (std::size_t i = 0; i < description.shapes.size(); ++i) {
+    count(description.shapes[i].geometry, self.statistics);
+    if (!grouped[i]) placed.push_back(static_cast<Id>(i));
+  }
+  const bool clusterMeshes = self.statistics.triangles <= settings.clusteredTriangles;
+  for (const Group& group : description.groups) {
+    self.groups.push_back(std::make_unique<Hierarchy>());
+    self.gather(*self.groups.back(), group.shapes, clusterMeshes);
+  }
+  self.gather(self.world, placed, clusterMeshes);
+  self.placeInstances();
+  const bool direct =
+      self.transforms.empty() && self.world.meshes.empty() && self.world.clusters.size() <= settings.directClusters;
+  if (!direct) {
+    self.device = std::make_unique<embree::Device>();
+    self.buildHierarchies();
+  }
+  self.world.clusters.dropBounds();
+  self.statistics.bytes = self.world.clusters.bytes() + (self.device ? self.device->bytes() : 0) +
+                          (self.transforms.capacity() + self.inverses.capacity()) * sizeof(Matrix);
+  for (const auto& group : self.groups) self.statistics.bytes += group->clusters.bytes();
+  self.statistics.buildSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+Geometry::~Geometry() = default;
+Geometry::Geometry(Geometry&&) noexcept = default;
+Geometry& Geometry::operator=(Geometry&&) noexcept = default;
+
+Hit<float> Geometry::intersect(const Ray<float>& ray) const {
+  const Implementation& self = *implementation_;
+  if (!isUsable(ray)) return {};
+  LeafHit best;
+  if (self.device) {
+    best = embree::intersect(self.world.scene, ray);
+    if (best.instance != kNone) best.instance -= self.firstInstanceId();
+  } else {
+    self.world.clusters.nearest(ray, kNone, best);
+  }
+  if (!best.found()) return {};
+  return {true, best.t, best.u, best.v, best.shape, best.primitive, best.instance};
+}
+
+bool Geometry::occluded(const Ray<float>& ray) const {
+  const Implementation& self = *implementation_;
+  if (!isUsable(ray)) return false;
+  return self.device ? embree::occluded(self.world.scene, ray) : self.world.clusters.any(ray);
+}
+
+SurfacePoint<float> Geometry::surfacePoint(const Ray<float>& ray, const Hit<float>& hit) const {
+  if (!hit.valid) return {};
+  const Implementation& self = *implementation_;
+  const ShapeDescription& shape = self.description->shapes[hit.shape];
+  SurfacePoint<float> point;
+  if (hit.instance == kNone) {
+    point = self.localPoint(ray, hit);
+  } else {
+    const Matrix& inverse = self.inverses[hit.instance];
+    point = transformed(self.localPoint(transformed(ray, inverse), hit), self.transforms[hit.instance], inverse);
+  }
+  point.distance = hit.t;
+  point.shape = hit.shape;
+  point.primitive = hit.primitive;
+  point.instance = hit.instance;
+  point.material = shape.primitiveMaterials.empty() ? shape.material : shape.primitiveMaterials[hit.primitive];
+  return point;
+}
+
+Bounds3 Geometry::bounds() const { return implementation_->bounds; }
+std::span<const Matrix> Geometry::instanceTransforms() const { return implementation_->transforms; }
+GeometryStatistics Geometry::statistics() const { return implementation_->statistics; }
+
+}  // namespace steradian

@@ -1,0 +1,65 @@
+#pragma once
+/// All surfaces of a scene, and the questions one can ask about rays and them.
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "steradian/core/bounds.h"
+#include "steradian/core/description.h"
+#include "steradian/core/ray.h"
+#include "steradian/core/surface_point.h"
+
+namespace steradian {
+
+struct GeometrySettings {
+  /// Scenes of at most this many clusters (and no instances or native triangles) are tested cluster by cluster,
+  /// without a hierarchy: faster up to there (measured: 4 clusters of spheres, 6 of quads). Hits are the same either
+  /// way.
+  std::uint32_t directClusters = 4;
+  /// Meshes join the clusters if a scene has at most this many triangles in all: one hierarchy in place of two.
+  /// Otherwise Embree keeps them, which is a tenth faster for twice the memory.
+  std::size_t clusteredTriangles = 256;
+};
+
+struct GeometryStatistics {
+  std::size_t spheres = 0, quads = 0, boxes = 0, disks = 0, triangles = 0, custom = 0;  ///< as described, groups once
+  std::size_t instances = 0;
+  std::size_t clusters = 0;
+  std::size_t bytes = 0;  ///< clusters and hierarchies; without the description
+  double buildSeconds = 0.0;
+
+  std::size_t primitives() const { return spheres + quads + boxes + disks + triangles + custom; }
+};
+
+/// Immutable; queries from any number of threads at once. Render tasks hold a FlushDenormals (core/float_mode.h) while
+/// they ask. Same bits for any number of threads; for scenes without instances and native triangles also for any
+/// layout: of equally near hits the smaller (shape, primitive) wins.
+class Geometry {
+ public:
+  /// Builds with the threads of the caller's arena. The description must be valid (see validate) and is kept: surface
+  /// points are computed from it. Throws Error: singular transforms, custom shapes without finite bounds, no memory.
+  explicit Geometry(std::shared_ptr<const SceneDescription> scene, GeometrySettings settings = {});
+  ~Geometry();
+  Geometry(Geometry&&) noexcept;
+  Geometry& operator=(Geometry&&) noexcept;
+
+  /// Nearest hit with tMin < t < tMax. A ray that is not finite, or has no direction, hits nothing.
+  Hit<float> intersect(const Ray<float>& ray) const;
+  /// Is anything hit with tMin < t < tMax?
+  bool occluded(const Ray<float>& ray) const;
+  /// The point that this ray hit; `hit` must come from intersect() with the same ray. Invalid for a miss.
+  SurfacePoint<float> surfacePoint(const Ray<float>& ray, const Hit<float>& hit) const;
+
+  /// Bounds of all surfaces in the world; empty for a scene without.
+  Bounds3 bounds() const;
+  /// Local to world, by flattened instance index: the instance sets in order, their transforms in order.
+  std::span<const Matrix> instanceTransforms() const;
+  GeometryStatistics statistics() const;
+
+ private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace steradian

@@ -1,0 +1,278 @@
+#include "steradian/accel/shapes/cluster_set.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+
+#include "steradian/accel/shapes/cluster_partition.h"
+#include "steradian/accel/shapes/shape_at.h"
+
+namespace steradian {
+namespace {
+
+/// The set that holds primitives of a leaf kind, if the geometry is one, and its primitives in the leaf's form.
+template <class Leaf>
+struct SetOf;
+template <>
+struct SetOf<SphereLeaf> {
+  static const SphereSet* of(const ShapeGeometry& g) { return std::get_if<SphereSet>(&g); }
+  static Sphere<float> at(const SphereSet& set, std::size_t i) { return sphereAt(set, i); }
+};
+template <>
+struct SetOf<QuadLeaf> {
+  static const QuadSet* of(const ShapeGeometry& g) { return std::get_if<QuadSet>(&g); }
+  static Quad<float> at(const QuadSet& set, std::size_t i) { return quadAt(set, i); }
+};
+template <>
+struct SetOf<DiskLeaf> {
+  static const DiskSet* of(const ShapeGeometry& g) { return std::get_if<DiskSet>(&g); }
+  static Disk<float> at(const DiskSet& set, std::size_t i) { return diskAt(set, i); }
+};
+template <>
+struct SetOf<TriangleLeaf> {
+  static const TriangleMesh* of(const ShapeGeometry& g) { return std::get_if<TriangleMesh>(&g); }
+  static Triangle<float> at(const TriangleMesh& set, std::size_t i) { return triangleAt(set, i); }
+};
+
+/// A set of boxes is upright as a whole or not at all.
+const BoxSet* boxSet(const ShapeGeometry& g, bool upright) {
+  const BoxSet* set = std::get_if<BoxSet>(&g);
+  if (!set) return nullptr;
+  const auto isZero = [](float x) { return x == 0.0f; };
+  const bool all = std::all_of(set->rotationX.begin(), set->rotationX.end(), isZero) &&
+                   std::all_of(set->rotationZ.begin(), set->rotationZ.end(), isZero);
+  return all == upright ? set : nullptr;
+}
+template <>
+struct SetOf<UprightBoxLeaf> {
+  static const BoxSet* of(const ShapeGeometry& g) { return boxSet(g, true); }
+  static UprightBox at(const BoxSet& set, std::size_t i) { return uprightBoxAt(set, i); }
+};
+template <>
+struct SetOf<TurnedBoxLeaf> {
+  static const BoxSet* of(const ShapeGeometry& g) { return boxSet(g, false); }
+  static TurnedBox at(const BoxSet& set, std::size_t i) { return turnedBoxAt(set, i); }
+};
+
+/// The sets of one kind in a row: numbers their primitives 0, 1, 2, ...
+template <class Leaf>
+class Concatenation {
+ public:
+  using Set = std::remove_pointer_t<decltype(SetOf<Leaf>::of(std::declval<const ShapeGeometry&>()))>;
+  struct Place {
+    Set* set;
+    std::uint32_t shape, primitive;
+  };
+
+  Concatenation(const SceneDescription& scene, std::span<const Id> shapes) {
+    for (const Id shape : shapes) {
+      const ShapeGeometry& geometry = scene.shapes[shape].geometry;
+      if (Set* set = SetOf<Leaf>::of(geometry)) {
+        parts_.push_back({count_, set, shape});
+        count_ += static_cast<std::uint32_t>(primitiveCount(geometry));
+      }
+    }
+  }
+  std::uint32_t count() const { return count_; }
+  /// One call per set: its number of primitives and its shape.
+  template <class Visit>
+  void forEachSet(const Visit& visit) const {
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+      visit((i + 1 < parts_.size() ? parts_[i + 1].first : count_) - parts_[i].first, parts_[i].shape);
+    }
+  }
+  Place place(std::uint32_t ordinal) const {
+    const auto after = std::upper_bound(parts_.begin(), parts_.end(), ordinal,
+                                        [](std::uint32_t o, const Part& part) { return o < part.first; });
+    const Part& part = *(after - 1);
+    return {part.set, part.shape, ordinal - part.first};
+  }
+
+ private:
+  struct Part {
+    std::uint32_t first;
+    Set* set;
+    Id shape;
+  };
+  std::vector<Part> parts_;
+  std::uint32_t count_ = 0;
+};
+
+/// Smaller sets stay in the cache as the description has them.
+constexpr std::uint32_t kPlacedFrom = 4096;
+
+template <std::size_t... I, class Visit>
+bool visitKind(std::index_sequence<I...>, const Visit& visit) {
+  return (visit(std::integral_constant<std::size_t, I>{}) || ...);
+}
+template <class Leaf>
+typename Leaf::Shape leafOf(const Cluster<Leaf>& cluster, int lane) {
+  return Leaf::get(cluster.row, lane);
+}
+constexpr auto kClusterKinds = std::make_index_sequence<6>{};
+
+}  // namespace
+
+ClusterSet::ClusterSet(const SceneDescription& scene, std::span<const Id> shapes) {
+  // By ascending id, whatever the order in a group: lanes of a cluster are ordered by id.
+  std::vector<Id> sorted(shapes.begin(), shapes.end());
+  std::sort(sorted.begin(), sorted.end());
+  std::size_t kind = 0;
+  const auto close = [&] { end_[kind++] = static_cast<std::uint32_t>(bounds_.size()); };
+  add<QuadLeaf>(scene, sorted), close();
+  add<UprightBoxLeaf>(scene, sorted), close();
+  add<SphereLeaf>(scene, sorted), close();
+  add<TriangleLeaf>(scene, sorted), close();
+  add<DiskLeaf>(scene, sorted), close();
+  add<TurnedBoxLeaf>(scene, sorted), close();
+  addCustom(scene, sorted), close();
+  for (const Bounds3& bounds : bounds_) total_.include(bounds);
+}
+
+template <class Leaf>
+void ClusterSet::add(const SceneDescription& scene, std::span<const Id> shapes) {
+  const Concatenation<Leaf> all(scene, shapes);
+  const auto boundsOfOrdinal = [&](std::uint32_t ordinal) {
+    const auto place = all.place(ordinal);
+    return boundsOf(SetOf<Leaf>::at(*place.set, place.primitive));
+  };
+  const ClusterPartition partition = partitionIntoClusters(all.count(), boundsOfOrdinal);
+  Clusters<Leaf>& clusters = std::get<Clusters<Leaf>>(kinds_);
+  clusters.resize(partition.ranges.size());
+  const std::size_t firstCluster = bounds_.size();
+  bounds_.resize(firstCluster + clusters.size());
+  all.forEachSet([&](std::uint32_t count, Id shape) {
+    if (count >= kPlacedFrom && !std::is_same_v<Leaf, TriangleLeaf>)
+      places_.push_back({shape, std::vector<std::uint32_t>(count)});
+  });
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, clusters.size(), 256), [&](const auto& block) {
+    for (std::size_t c = block.begin(); c != block.end(); ++c) {
+      const ClusterRange range = partition.ranges[c];
+      for (std::uint32_t i = 0; i < range.count; ++i) {
+        const auto place = all.place(partition.items[range.begin + i].ordinal);
+        const typename Leaf::Shape value = SetOf<Leaf>::at(*place.set, place.primitive);
+        clusters[c].put(static_cast<int>(i), value, place.shape, place.primitive);
+        bounds_[firstCluster + c].include(boundsOf(value));
+        if (std::uint32_t* places = placesToFill(place.shape)) {
+          places[place.primitive] = static_cast<std::uint32_t>((firstCluster + c) * kClusterSize) + i;
+        }
+      }
+    }
+  });
+}
+
+void ClusterSet::addCustom(const SceneDescription& scene, std::span<const Id> shapes) {
+  for (const Id shape : shapes) {
+    const auto* set = std::get_if<CustomShapeSet>(&scene.shapes[shape].geometry);
+    if (!set) continue;
+    for (std::size_t i = 0; i < set->shapes.size(); ++i) {
+      custom_.push_back({set->shapes[i].get(), shape, static_cast<std::uint32_t>(i)});
+      bounds_.push_back(set->shapes[i]->bounds());
+    }
+  }
+}
+
+std::uint32_t* ClusterSet::placesToFill(Id shape) {
+  for (Places& places : places_) {
+    if (places.shape == shape) return places.places.data();
+  }
+  return nullptr;
+}
+
+const std::uint32_t* ClusterSet::placesOf(Id shape) const {
+  for (const Places& places : places_) {
+    if (places.shape == shape) return places.places.data();
+  }
+  return nullptr;
+}
+
+LeafShape ClusterSet::leafShape(std::uint32_t place) const {
+  const std::uint32_t cluster = place / kClusterSize;
+  const auto lane = static_cast<int>(place % kClusterSize);
+  LeafShape shape;
+  std::uint32_t first = 0;
+  visitKind(kClusterKinds, [&](auto kind) {
+    if (cluster >= end_[kind]) {
+      first = end_[kind];
+      return false;
+    }
+    shape = leafOf(std::get<kind>(kinds_)[cluster - first], lane);
+    return true;
+  });
+  return shape;
+}
+
+std::size_t ClusterSet::bytes() const {
+  const std::size_t clusters =
+      std::apply([](const auto&... kind) { return ((kind.capacity() * sizeof(kind[0])) + ... + 0u); }, kinds_);
+  std::size_t places = 0;
+  for (const Places& p : places_) places += p.places.capacity() * sizeof(p.places[0]);
+  return clusters + places + custom_.capacity() * sizeof(Custom) + bounds_.capacity() * sizeof(Bounds3);
+}
+
+void ClusterSet::nearest(const Custom& custom, const Ray<float>& ray, std::uint32_t instance, LeafHit& best) {
+  const auto hit = custom.implementation->intersect(ray);
+  // Someone else's code: hold it to its contract.
+  if (!hit || !(hit->t > ray.tMin && hit->t < ray.tMax)) return;
+  const LeafHit candidate{hit->t, hit->uv.x, hit->uv.y, custom.shape, custom.primitive, instance};
+  if (candidate.t < best.t || (candidate.t == best.t && comesFirst(candidate, best))) best = candidate;
+}
+
+void ClusterSet::nearest(std::uint32_t cluster, const Ray<float>& ray, std::uint32_t instance, LeafHit& best) const {
+  std::uint32_t first = 0;
+  const bool done = visitKind(kClusterKinds, [&](auto kind) {
+    if (cluster >= end_[kind]) {
+      first = end_[kind];
+      return false;
+    }
+    meetNearest(std::get<kind>(kinds_)[cluster - first], broadcastRay(ray), instance, best);
+    return true;
+  });
+  if (!done) nearest(custom_[cluster - first], ray, instance, best);
+}
+
+void ClusterSet::nearest(const Ray<float>& ray, std::uint32_t instance, LeafHit& best) const {
+  const Ray<LeafLanes> lanes = broadcastRay(ray);
+  std::apply(
+      [&](const auto&... kind) {
+        const auto meetAll = [&](const auto& clusters) {
+          for (const auto& cluster : clusters) meetNearest(cluster, lanes, instance, best);
+        };
+        (meetAll(kind), ...);
+      },
+      kinds_);
+  for (const Custom& custom : custom_) nearest(custom, ray, instance, best);
+}
+
+bool ClusterSet::any(std::uint32_t cluster, const Ray<float>& ray) const {
+  std::uint32_t first = 0;
+  bool hit = false;
+  const bool done = visitKind(kClusterKinds, [&](auto kind) {
+    if (cluster >= end_[kind]) {
+      first = end_[kind];
+      return false;
+    }
+    hit = meetAny(std::get<kind>(kinds_)[cluster - first], broadcastRay(ray));
+    return true;
+  });
+  if (done) return hit;
+  LeafHit custom;
+  nearest(custom_[cluster - first], ray, kNone, custom);
+  return custom.found();
+}
+
+bool ClusterSet::any(const Ray<float>& ray) const {
+  const Ray<LeafLanes> lanes = broadcastRay(ray);
+  const auto meetsAny = [&](const auto& clusters) {
+    return std::any_of(clusters.begin(), clusters.end(), [&](const auto& cluster) { return meetAny(cluster, lanes); });
+  };
+  if (std::apply([&](const auto&... kind) { return (meetsAny(kind) || ...); }, kinds_)) return true;
+  return std::any_of(custom_.begin(), custom_.end(), [&](const Custom& custom) {
+    LeafHit hit;
+    nearest(custom, ray, kNone, hit);
+    return hit.found();
+  });
+}
+
+}  // namespace steradian

@@ -1,0 +1,77 @@
+#pragma once
+/// All clusters of one hierarchy: the shapes placed directly in a scene, or those of one group.
+#include <array>
+#include <span>
+#include <tuple>
+#include <variant>
+#include <vector>
+
+#include "steradian/accel/shapes/cluster.h"
+#include "steradian/core/bounds.h"
+#include "steradian/core/description.h"
+
+namespace steradian {
+
+/// A primitive as its cluster keeps it.
+using LeafShape = std::variant<Quad<float>, UprightBox, Sphere<float>, Triangle<float>, Disk<float>, TurnedBox>;
+
+class ClusterSet {
+ public:
+  ClusterSet() = default;
+  /// Clusters of the given shapes; built by the threads of the caller's arena. The description must outlive the set if
+  /// it has custom shapes; of all others the set keeps what it needs.
+  ClusterSet(const SceneDescription& scene, std::span<const Id> shapes);
+
+  /// Number of clusters; those below are 0 to size()-1.
+  std::uint32_t size() const { return end_.back(); }
+  /// Bounds of one cluster, until dropBounds().
+  const Bounds3& bounds(std::uint32_t cluster) const { return bounds_[cluster]; }
+  /// Bounds of everything.
+  const Bounds3& bounds() const { return total_; }
+  /// Frees the bounds of clusters, once a hierarchy has been built over them.
+  void dropBounds() { bounds_ = {}; }
+  /// Memory that the set holds.
+  std::size_t bytes() const;
+
+  /// Of a large set that is in here: where each primitive is, by its number; null for others. A ray that has hit a
+  /// primitive has its cluster in the cache, but not its ten numbers in the arrays of the description.
+  const std::uint32_t* placesOf(Id shape) const;
+  LeafShape leafShape(std::uint32_t place) const;
+
+  /// Nearest hit with tMin < t < tMax among the primitives of one cluster or of all: updates `best` where it is nearer,
+  /// or equally near with a smaller id. `instance`: the one met in, or kNone.
+  void nearest(std::uint32_t cluster, const Ray<float>& ray, std::uint32_t instance, LeafHit& best) const;
+  void nearest(const Ray<float>& ray, std::uint32_t instance, LeafHit& best) const;
+  /// Is anything hit between tMin and tMax?
+  bool any(std::uint32_t cluster, const Ray<float>& ray) const;
+  bool any(const Ray<float>& ray) const;
+
+ private:
+  /// A custom shape is a cluster of one.
+  struct Custom {
+    const CustomShape* implementation;
+    std::uint32_t shape, primitive;
+  };
+  struct Places {
+    Id shape;
+    std::vector<std::uint32_t> places;  ///< cluster * kClusterSize + lane
+  };
+  template <class Leaf>
+  void add(const SceneDescription& scene, std::span<const Id> shapes);
+  std::uint32_t* placesToFill(Id shape);
+  void addCustom(const SceneDescription& scene, std::span<const Id> shapes);
+  static void nearest(const Custom& custom, const Ray<float>& ray, std::uint32_t instance, LeafHit& best);
+
+  template <class Leaf>
+  using Clusters = std::vector<Cluster<Leaf>>;
+  std::tuple<Clusters<QuadLeaf>, Clusters<UprightBoxLeaf>, Clusters<SphereLeaf>, Clusters<TriangleLeaf>,
+             Clusters<DiskLeaf>, Clusters<TurnedBoxLeaf>>
+      kinds_;
+  std::vector<Custom> custom_;
+  std::array<std::uint32_t, 7> end_{};  ///< one past the last cluster of each kind, in order; custom shapes last
+  std::vector<Places> places_;
+  std::vector<Bounds3> bounds_;
+  Bounds3 total_;
+};
+
+}  // namespace steradian

@@ -1,0 +1,85 @@
+#pragma once
+/// Directions towards shapes as densities ("The Rest of Your Life", chapters 10 and 12: hittable_pdf). Width 1.
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "steradian/accel/shapes/sampled_shape.h"
+#include "steradian/core/direction_pdf.h"
+
+namespace steradian {
+
+/// Several shapes of which one is chosen with a probability in proportion to its weight.
+class TargetGroup {
+ public:
+  /// One weight >= 0 per shape, of any sum; none: all alike. All zero: there is nothing to choose. Throws Error (Usage)
+  /// for weights of another number, negative or not finite.
+  explicit TargetGroup(std::vector<SampledShape> shapes, std::span<const float> weights = {})
+      : shapes_(std::move(shapes)) {
+    if (!weights.empty() && weights.size() != shapes_.size()) {
+      throw Error(ErrorKind::Usage, "a target group needs one weight per shape");
+    }
+    double sum = 0.0;
+    cumulative_.reserve(shapes_.size());
+    for (std::size_t i = 0; i < shapes_.size(); ++i) {
+      const float weight = weights.empty() ? 1.0f : weights[i];
+      if (!(weight >= 0.0f && isFinite(weight))) {
+        throw Error(ErrorKind::Usage, "the weights of a target group must be finite and not negative");
+      }
+      cumulative_.push_back(sum += static_cast<double>(weight));
+    }
+    for (double& c : cumulative_) c = sum > 0.0 ? c / sum : 0.0;
+  }
+
+  std::span<const SampledShape> shapes() const { return shapes_; }
+  /// No shape can be chosen.
+  bool empty() const { return cumulative_.empty() || cumulative_.back() == 0.0; }
+  float probability(std::size_t i) const {
+    return static_cast<float>(cumulative_[i] - (i == 0 ? 0.0 : cumulative_[i - 1]));
+  }
+  /// The shape that `choice` in [0, 1) falls on, never one of weight 0. The group must not be empty.
+  std::size_t choose(float choice) const {
+    const auto found = std::upper_bound(cumulative_.begin(), cumulative_.end(), static_cast<double>(choice));
+    return static_cast<std::size_t>(found - cumulative_.begin());
+  }
+
+ private:
+  std::vector<SampledShape> shapes_;
+  std::vector<double> cumulative_;  ///< of the probabilities; the last is 1, or all are 0
+};
+
+/// The density per sr of the directions from a point to a shape, or to a group of shapes. The density of a group is the
+/// marginal one: the sum over all members of probability times density, hit first or not, occluded or not. It takes
+/// time in proportion to their number. The target is the caller's and must outlive this.
+class HittablePdf {
+ public:
+  HittablePdf(const SampledShape& shape, Vec3f from) : shape_(&shape), from_(from) {}
+  HittablePdf(const TargetGroup& group, Vec3f from) : group_(&group), from_(from) {}
+
+  /// For a group without a distance: a direction may meet several members.
+  DirectionSample<float> sample(float choice, Vec2f u) const {
+    if (shape_ != nullptr) return shape_->sampleDirection(from_, u);
+    if (group_->empty()) return {};
+    const auto part = group_->shapes()[group_->choose(choice)].sampleDirection(from_, u);
+    return {part.wi, part.pdf > 0.0f ? pdf(part.wi) : 0.0f};
+  }
+
+  float pdf(Vec3f wi) const {
+    if (shape_ != nullptr) return shape_->pdfDirection(from_, wi);
+    float sum = 0.0f;
+    for (std::size_t i = 0; i < group_->shapes().size(); ++i) {
+      const float probability = group_->probability(i);
+      if (probability > 0.0f) sum += probability * group_->shapes()[i].pdfDirection(from_, wi);
+    }
+    return sum;
+  }
+
+ private:
+  const SampledShape* shape_ = nullptr;
+  const TargetGroup* group_ = nullptr;
+  Vec3f from_;
+};
+
+}  // namespace steradian

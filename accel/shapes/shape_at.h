@@ -1,0 +1,39 @@
+#pragma once
+/// One primitive of a description's set, and its bounds.
+#include "steradian/accel/shapes/box.h"
+#include "steradian/accel/shapes/disk.h"
+#include "steradian/accel/shapes/quad.h"
+#include "steradian/accel/shapes/sphere.h"
+#include "steradian/accel/shapes/triangle.h"
+#include "steradian/core/bounds.h"
+#include "steradian/core/description.h"
+
+namespace steradian {
+
+Sphere<float> sphereAt(const SphereSet& set, std::size_t i);
+Quad<float> quadAt(const QuadSet& set, std::size_t i);
+Disk<float> diskAt(const DiskSet& set, std::size_t i);
+Triangle<float> triangleAt(const TriangleMesh& mesh, std::size_t i);
+TurnedBox turnedBoxAt(const BoxSet& set, std::size_t i);  ///< its quaternion is normalised once more
+
+/// Does the i-th box turn about y alone, or not at all? Such boxes go through UprightBox everywhere, so that every
+/// query computes the same axes.
+bool isUpright(const BoxSet& set, std::size_t i);
+UprightBox uprightBoxAt(const BoxSet& set, std::size_t i);  ///< needs isUpright
+/// With the axes that the queries use.
+Box<float> boxOf(const UprightBox& box);
+Box<float> boxOf(const TurnedBox& box);
+Box<float> boxAt(const BoxSet& set, std::size_t i);
+
+Bounds3 boundsOf(const Sphere<float>& sphere);
+Bounds3 boundsOf(const Quad<float>& quad);
+Bounds3 boundsOf(const Disk<float>& disk);
+Bounds3 boundsOf(const Triangle<float>& triangle);
+Bounds3 boundsOf(const Box<float>& box);
+Bounds3 boundsOf(const UprightBox& box);
+Bounds3 boundsOf(const TurnedBox& box);
+
+/// Bounds of one primitive of any kind.
+Bounds3 boundsOf(const ShapeGeometry& geometry, std::size_t i);
+
+}  // namespace steradian

@@ -1,0 +1,330 @@
+#include "steradian/accel/geometry.h"
+
+#include <gtest/gtest.h>
+#include <tbb/task_arena.h>
+
+#include <ctime>
+
+#include <chrono>
+#include <cmath>
+#include <thread>
+
+#include "steradian/accel/surface_point_of.h"
+#include "steradian/core/diagnostics.h"
+#include "steradian/tests/accel/random_scene.h"
+
+namespace steradian::test {
+namespace {
+
+constexpr std::uint32_t kAlways = 0xffffffffu;
+
+/// A loop over everything, without a hierarchy.
+GeometrySettings direct() { return {.directClusters = kAlways, .clusteredTriangles = kAlways}; }
+/// A hierarchy over anything.
+GeometrySettings hierarchy() { return {.directClusters = 0, .clusteredTriangles = kAlways}; }
+
+void expectSame(const Hit<float>& a, const Hit<float>& b) {
+  ASSERT_EQ(a.valid, b.valid);
+  if (!a.valid) return;
+  ASSERT_EQ(a.t, b.t);
+  ASSERT_EQ(a.u, b.u);
+  ASSERT_EQ(a.v, b.v);
+  ASSERT_EQ(a.shape, b.shape);
+  ASSERT_EQ(a.primitive, b.primitive);
+  ASSERT_EQ(a.instance, b.instance);
+}
+
+TEST(Geometry, HierarchyGivesTheHitsOfALoopOverAllKinds) {
+  const auto scene = std::make_shared<SceneDescription>(randomScene(1, 400));
+  const Geometry loop(scene, direct()), tree(scene, hierarchy());
+  Random random(2);
+  int hits = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const Ray<float> ray = random.ray(12.0f);
+    const Hit<float> expected = loop.intersect(ray), hit = tree.intersect(ray);
+    ASSERT_NO_FATAL_FAILURE(expectSame(expected, hit));
+    ASSERT_EQ(tree.occluded(ray), hit.valid);
+    ASSERT_EQ(loop.occluded(ray), hit.valid);
+    hits += hit.valid;
+  }
+  EXPECT_GT(hits, 4000);
+}
+
+TEST(Geometry, EquallyNearHitsGoToTheSmallerIdInAnyLayout) {
+  // The same floor many times over, in several shapes and clusters, and axis-parallel rays through shared edges.
+  SceneDescription scene;
+  for (int copy = 0; copy < 3; ++copy) {
+    QuadSet floor;
+    for (int x = 0; x < 12; ++x) {
+      for (int z = 0; z < 12; ++z) {
+        addTo(floor, {{static_cast<float>(x), 0.0f, static_cast<float>(z)}, {1.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 1.0f}});
+      }
+    }
+    scene.addShape("floor", floor, 0);
+  }
+  const auto shared = std::make_shared<SceneDescription>(scene);
+  const Geometry loop(shared, direct()), tree(shared, hierarchy());
+  for (int x = 0; x <= 24; ++x) {
+    for (int z = 0; z <= 24; ++z) {
+      for (const float dx : {0.0f, 0.25f}) {
+        const Vec3f target{0.5f * static_cast<float>(x), 0.0f, 0.5f * static_cast<float>(z)};
+        const Vec3f direction = normalize(Vec3f{dx, -1.0f, 0.0f});
+        const Ray<float> ray{target - direction * 4.0f, direction};
+        const Hit<float> hit = tree.intersect(ray);
+        ASSERT_NO_FATAL_FAILURE(expectSame(loop.intersect(ray), hit));
+        if (x > 0 && x < 24 && z > 0 && z < 24) {
+          ASSERT_TRUE(hit.valid);
+          EXPECT_EQ(hit.shape, 0u);
+        }
+      }
+    }
+  }
+}
+
+TEST(Geometry, SegmentsEndWhereTheySay) {
+  const auto scene = std::make_shared<SceneDescription>(randomScene(3, 100));
+  for (const GeometrySettings settings : {direct(), hierarchy(), GeometrySettings{.clusteredTriangles = 0}}) {
+    const Geometry geometry(scene, settings);
+    Random random(4);
+    for (int i = 0; i < 3000; ++i) {
+      Ray<float> ray = random.ray(12.0f);
+      const Hit<float> hit = geometry.intersect(ray);
+      if (!hit.valid) continue;
+      ray.tMax = hit.t * 0.9999f;
+      ASSERT_FALSE(geometry.occluded(ray));
+      ASSERT_FALSE(geometry.intersect(ray).valid);
+      ray.tMax = hit.t * 1.0001f;
+      ASSERT_TRUE(geometry.occluded(ray));
+      ray.tMin = hit.t * 1.00001f;
+      ASSERT_EQ(geometry.occluded(ray), geometry.intersect(ray).valid);
+    }
+  }
+}
+
+TEST(Geometry, SurfacePointsOfLargeSetsAreThoseOfSmallOnes) {
+  // Sets beyond some thousands are read from the clusters, others from the description.
+  const auto large = std::make_shared<SceneDescription>(randomScene(17, 4500));
+  const Geometry geometry(large);
+  Random random(18);
+  int hits = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const Ray<float> ray = random.ray(12.0f);
+    const Hit<float> hit = geometry.intersect(ray);
+    if (!hit.valid) continue;
+    ++hits;
+    const SurfacePoint<float> a = geometry.surfacePoint(ray, hit);
+    const SurfacePoint<float> b = localSurfacePoint(large->shapes[hit.shape], ray, hit);
+    ASSERT_EQ(length(a.position - b.position), 0.0f);
+    ASSERT_EQ(length(a.positionError - b.positionError), 0.0f);
+    ASSERT_EQ(length(a.geometricNormal - b.geometricNormal), 0.0f);
+    ASSERT_EQ(a.uv.x, b.uv.x);
+    ASSERT_EQ(a.uv.y, b.uv.y);
+    ASSERT_EQ(a.shape, hit.shape);
+    ASSERT_EQ(a.material, large->shapes[hit.shape].material);
+  }
+  EXPECT_GT(hits, 1000);
+}
+
+TEST(Geometry, NativeTrianglesAndClustersAgree) {
+  const auto scene = std::make_shared<SceneDescription>(randomScene(5, 300));
+  const Geometry loop(scene, direct()), native(scene, {.clusteredTriangles = 0});
+  Random random(6);
+  int differ = 0;
+  for (int i = 0; i < 5000; ++i) {
+    const Ray<float> ray = random.ray(12.0f);
+    const Hit<float> expected = loop.intersect(ray), hit = native.intersect(ray);
+    if (expected.valid == hit.valid &&
+        (!hit.valid || (hit.shape == expected.shape && hit.primitive == expected.primitive))) {
+      if (hit.valid) {
+        ASSERT_NEAR(hit.t, expected.t, 1e-4f * (1.0f + hit.t));
+        ASSERT_NEAR(hit.u, expected.u, 1e-2f);
+        ASSERT_NEAR(hit.v, expected.v, 1e-2f);
+      }
+    } else {
+      ++differ;
+    }
+  }
+  EXPECT_LE(differ, 3);
+}
+
+TEST(Geometry, InstancesAreCopiesUnderTheirTransform) {
+  // The flat scene holds a sphere set and a box; the other one instances them with rotation, scale and translation.
+  SceneDescription scene = randomScene(7, 60);
+  const Matrix turn = transformOf({0.7f, 1.1f, -0.4f}, {2.0f, 2.0f, 2.0f}, {5.0f, -3.0f, 1.0f});
+  const Matrix mirror = transformOf({0.0f, 0.5f, 0.0f}, {-1.0f, 1.0f, 3.0f}, {-30.0f, 0.0f, 0.0f});
+  Group group{"all", {}};
+  for (Id id = 0; id < scene.shapes.size(); ++id) group.shapes.push_back(id);
+  const auto flat = std::make_shared<SceneDescription>(scene);
+  scene.groups = {group};
+  scene.instances = {{0, {turn}, {}}, {0, {mirror}, {}}};
+  const auto instanced = std::make_shared<SceneDescription>(scene);
+  for (const std::size_t clustered : {std::size_t{0}, std::size_t{100000}}) {
+    const Geometry local(flat, {.clusteredTriangles = clustered}), world(instanced, {.clusteredTriangles = clustered});
+    ASSERT_EQ(world.instanceTransforms().size(), 2u);
+    Random random(8);
+    int differ = 0, hits = 0;
+    for (int i = 0; i < 4000; ++i) {
+      const std::uint32_t instance = static_cast<std::uint32_t>(i % 2);
+      const Matrix& m = world.instanceTransforms()[instance];
+      Ray<float> ray = random.ray(12.0f);
+      ray.tMax = 15.0f;
+      const Hit<float> expected = local.intersect(ray);
+      const SurfacePoint<float> here = local.surfacePoint(ray, expected);
+      Ray<float> there{transformPoint(m, ray.origin), transformVector(m, ray.direction)};
+      const float scale = length(there.direction);
+      there.direction = normalize(there.direction);
+      there.tMax = ray.tMax * scale;
+      const Hit<float> hit = world.intersect(there);
+      if (hit.valid != expected.valid || (hit.valid && hit.primitive != expected.primitive)) {
+        ++differ;
+        continue;
+      }
+      if (!hit.valid) continue;
+      ++hits;
+      ASSERT_EQ(hit.instance, instance);
+      ASSERT_EQ(hit.shape, expected.shape);
+      ASSERT_NEAR(hit.t, expected.t * scale, 2e-3f * scale);
+      const SurfacePoint<float> point = world.surfacePoint(there, hit);
+      ASSERT_LT(length(point.position - transformPoint(m, here.position)), 1e-2f);
+      const Matrix inverse(Imath::M44d(m).inverse());
+      const Vec3f normal = normalize(transformNormal(inverse, here.geometricNormal));
+      ASSERT_GT(dot(point.geometricNormal, normal), 0.999f);
+      ASSERT_EQ(point.instance, instance);
+      ASSERT_EQ(point.material, here.material);
+    }
+    EXPECT_GT(hits, 500);
+    EXPECT_LT(differ, 20);
+  }
+}
+
+TEST(Geometry, RaysThatMakeNoSenseHitNothing) {
+  const auto scene = std::make_shared<SceneDescription>(randomScene(9, 50));
+  for (const GeometrySettings settings : {direct(), hierarchy()}) {
+    const Geometry geometry(scene, settings);
+    const float nan = std::nanf("");
+    for (const Ray<float>& ray :
+         {Ray<float>{{nan, 0.0f, 0.0f}, {0.0f, 0.0f, 1.0f}}, Ray<float>{{kInfinity, 0.0f, 0.0f}, {-1.0f, 0.0f, 0.0f}},
+          Ray<float>{{}, {}}, Ray<float>{{}, {nan, nan, nan}}, Ray<float>{{}, {0.0f, 0.0f, 1.0f}, nan},
+          Ray<float>{{}, {0.0f, 0.0f, 1.0f}, -1.0f}}) {
+      EXPECT_FALSE(geometry.intersect(ray).valid);
+      EXPECT_FALSE(geometry.occluded(ray));
+    }
+    EXPECT_FALSE(geometry.surfacePoint({{}, {0.0f, 0.0f, 1.0f}}, {}).valid);
+  }
+}
+
+TEST(Geometry, AnEmptySceneIsEmpty) {
+  const Geometry geometry(std::make_shared<SceneDescription>());
+  EXPECT_TRUE(geometry.bounds().empty());
+  EXPECT_FALSE(geometry.intersect({{}, {0.0f, 0.0f, 1.0f}}).valid);
+  EXPECT_EQ(geometry.statistics().primitives(), 0u);
+}
+
+TEST(Geometry, StatisticsCountWhatIsThere) {
+  const auto scene = std::make_shared<SceneDescription>(randomScene(10, 320));
+  const Geometry geometry(scene, hierarchy());
+  const GeometryStatistics s = geometry.statistics();
+  EXPECT_EQ(s.spheres, 320u);
+  EXPECT_EQ(s.quads, 320u);
+  EXPECT_EQ(s.boxes, 640u);  // upright ones and others
+  EXPECT_EQ(s.disks, 320u);
+  EXPECT_EQ(s.triangles, 320u);
+  EXPECT_EQ(s.custom, 2u);
+  EXPECT_EQ(s.clusters, 6u * 20u + 2u);
+  // 6 to 12 rows of 16 numbers a cluster, and Embree's share.
+  EXPECT_GT(s.bytes, s.clusters * 6 * 64);
+  EXPECT_LT(s.bytes, s.clusters * 12 * 64 + 200000);
+  EXPECT_GT(s.buildSeconds, 0.0);
+  const Bounds3 bounds = geometry.bounds();
+  EXPECT_LT(bounds.low.x, -4.0f);
+  EXPECT_GT(bounds.high.y, 4.0f);
+  EXPECT_LT(bounds.magnitude(), 10.0f);
+}
+
+TEST(Geometry, SingularTransformsAndBoundlessShapesAreErrors) {
+  SceneDescription scene = randomScene(11, 20);
+  scene.groups = {{"g", {0}}};
+  scene.instances = {{0, {transformOf({}, {1.0f, 0.0f, 1.0f}, {})}, {}}};
+  EXPECT_THROW(Geometry(std::make_shared<SceneDescription>(scene)), Error);
+  scene.instances.clear();
+  scene.groups.clear();
+  scene.addShape("endless", CustomShapeSet{{std::make_shared<Slab>(kInfinity)}}, 0);
+  EXPECT_THROW(Geometry(std::make_shared<SceneDescription>(scene)), Error);
+}
+
+double cpuSeconds(clockid_t clock) {
+  timespec now{};
+  clock_gettime(clock, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+/// Workers of earlier tests spin for a while before they sleep.
+void waitUntilOthersSleep() {
+  for (int i = 0; i < 400; ++i) {
+    const double before = cpuSeconds(CLOCK_PROCESS_CPUTIME_ID);
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    if (cpuSeconds(CLOCK_PROCESS_CPUTIME_ID) - before < 2e-4) return;
+  }
+}
+
+TEST(Geometry, BuildsStayInTheArenaOfTheCaller) {
+  // In an arena of one thread that thread does all the work: what the process computes, it computes.
+  const auto scene = std::make_shared<SceneDescription>(randomScene(12, 6000));
+  tbb::task_arena arena(1);
+  arena.execute([&] {
+    const Geometry warmUp(scene);
+    waitUntilOthersSleep();
+    const double process = cpuSeconds(CLOCK_PROCESS_CPUTIME_ID), thread = cpuSeconds(CLOCK_THREAD_CPUTIME_ID);
+    const Geometry clusters(scene), native(scene, {.clusteredTriangles = 0});
+    const double own = cpuSeconds(CLOCK_THREAD_CPUTIME_ID) - thread;
+    EXPECT_LT(cpuSeconds(CLOCK_PROCESS_CPUTIME_ID) - process, 1.1 * own + 1e-3);
+  });
+}
+
+TEST(Geometry, AClosedRoomDoesNotLeak) {
+  // Six walls that share their edges; rays at the edges and corners.
+  SceneDescription scene;
+  QuadSet walls;
+  const Vec3f x{5.55f, 0.0f, 0.0f}, y{0.0f, 5.55f, 0.0f}, z{0.0f, 0.0f, 5.55f};
+  addTo(walls, {{}, x, y});
+  addTo(walls, {{}, y, z});
+  addTo(walls, {{}, z, x});
+  addTo(walls, {z, x, y});
+  addTo(walls, {x, y, z});
+  addTo(walls, {y, z, x});
+  scene.addShape("walls", walls, 0);
+  const auto shared = std::make_shared<SceneDescription>(scene);
+  for (const GeometrySettings settings : {direct(), hierarchy()}) {
+    const Geometry geometry(shared, settings);
+    Random random(16);
+    for (int i = 0; i < 20000; ++i) {
+      const auto at = [&] { return random.uniform(0.5f, 5.0f); };
+      const auto end = [&] { return random.engine() % 2 == 0 ? 0.0f : 5.55f; };
+      const Vec3f target{i % 3 == 0 ? at() : end(), i % 3 == 1 ? at() : end(), i % 5 == 0 ? at() : end()};
+      const Vec3f origin{at(), at(), at()};
+      ASSERT_TRUE(geometry.intersect({origin, normalize(target - origin)}).valid);
+    }
+  }
+}
+
+TEST(Geometry, TwoAtOnceDoNotDisturbEachOther) {
+  const auto one = std::make_shared<SceneDescription>(randomScene(13, 200));
+  const auto two = std::make_shared<SceneDescription>(randomScene(14, 200));
+  const auto hitsOf = [](const Geometry& geometry) {
+    Random random(15);
+    std::vector<float> distances;
+    for (int i = 0; i < 3000; ++i) distances.push_back(geometry.intersect(random.ray(12.0f)).t);
+    return distances;
+  };
+  const std::vector<float> alone[2] = {hitsOf(Geometry(one, direct())), hitsOf(Geometry(two, direct()))};
+  std::vector<float> together[2];
+  std::thread first([&] { together[0] = hitsOf(Geometry(one, hierarchy())); });
+  std::thread second([&] { together[1] = hitsOf(Geometry(two, hierarchy())); });
+  first.join();
+  second.join();
+  EXPECT_EQ(together[0], alone[0]);
+  EXPECT_EQ(together[1], alone[1]);
+}
+
+}  // namespace
+}  // namespace steradian::test

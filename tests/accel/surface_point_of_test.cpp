@@ -1,0 +1,270 @@
+#include "steradian/accel/surface_point_of.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "steradian/accel/geometry.h"
+#include "steradian/core/ray_offset.h"
+#include "steradian/tests/accel/random_scene.h"
+
+namespace steradian::test {
+namespace {
+
+/// The point where a ray meets the only shape of a scene.
+SurfacePoint<float> meet(const ShapeGeometry& shape, const Ray<float>& ray) {
+  SceneDescription scene;
+  scene.addShape("shape", shape, 5);
+  const Geometry geometry(std::make_shared<SceneDescription>(scene));
+  return geometry.surfacePoint(ray, geometry.intersect(ray));
+}
+
+void expectNear(Vec3f a, Vec3f b, float tolerance = 1e-5f) { EXPECT_LT(length(a - b), tolerance); }
+
+TEST(SurfacePoint, SphereHasTheBooksParameters) {
+  SphereSet set;
+  addTo(set, {{1.0f, 2.0f, 3.0f}, 2.0f});
+  // "The Next Week", 4.4: <1,0,0> is (.5,.5), <0,1,0> is (.5,1), <0,0,1> is (.25,.5), <-1,0,0> is (0,.5), <0,0,-1>
+  // is (.75,.5).
+  const struct {
+    Vec3f normal;
+    float u, v;
+  } cases[] = {{{1, 0, 0}, 0.50f, 0.50f},  {{0, 1, 0}, 0.50f, 1.00f},  {{0, 0, 1}, 0.25f, 0.50f},
+               {{0, -1, 0}, 0.50f, 0.00f}, {{0, 0, -1}, 0.75f, 0.50f}, {{-1, 0, 0}, 0.00f, 0.50f}};
+  for (const auto& c : cases) {
+    const SurfacePoint<float> p = meet(set, {Vec3f{1.0f, 2.0f, 3.0f} + c.normal * 5.0f, -c.normal});
+    ASSERT_TRUE(p.valid);
+    expectNear(p.geometricNormal, c.normal);
+    expectNear(p.position, Vec3f{1.0f, 2.0f, 3.0f} + c.normal * 2.0f);
+    EXPECT_FLOAT_EQ(p.distance, 3.0f);
+    EXPECT_EQ(p.material, 5u);
+    EXPECT_NEAR(p.uv.y, c.v, 1e-5f);
+    // The seam at -x is both ends.
+    const float du = std::abs(p.uv.x - c.u);
+    if (c.normal.y == 0.0f) {
+      EXPECT_LT(std::min(du, 1.0f - du), 1e-5f);
+    }
+    EXPECT_GE(p.uv.x, 0.0f);
+    EXPECT_LE(p.uv.x, 1.0f);
+  }
+  // From inside the normal is still outward.
+  expectNear(meet(set, {{1.0f, 2.0f, 3.0f}, {0.0f, 0.0f, 1.0f}}).geometricNormal, {0.0f, 0.0f, 1.0f});
+}
+
+TEST(SurfacePoint, QuadHasParametersAlongItsEdges) {
+  QuadSet set;
+  addTo(set, {{1.0f, 1.0f, 1.0f}, {2.0f, 0.0f, 0.0f}, {0.0f, 4.0f, 0.0f}});
+  const SurfacePoint<float> p = meet(set, {{1.5f, 4.0f, 3.0f}, {0.0f, 0.0f, -1.0f}});
+  ASSERT_TRUE(p.valid);
+  expectNear(p.position, {1.5f, 4.0f, 1.0f});
+  expectNear(p.geometricNormal, {0.0f, 0.0f, 1.0f});
+  EXPECT_NEAR(p.uv.x, 0.25f, 1e-6f);
+  EXPECT_NEAR(p.uv.y, 0.75f, 1e-6f);
+}
+
+TEST(SurfacePoint, DiskHasAngleAndRadius) {
+  DiskSet set;
+  addTo(set, {{0.0f, 1.0f, 0.0f}, {0.0f, 1.0f, 0.0f}, 2.0f});
+  const Frame<float> frame = Frame<float>::fromZ({0.0f, 1.0f, 0.0f});
+  for (const float angle : {0.1f, 0.3f, 0.6f, 0.9f}) {
+    const Vec3f offset = frame.x * std::cos(kTwoPi * angle) + frame.y * std::sin(kTwoPi * angle);
+    const SurfacePoint<float> p = meet(set, {offset + Vec3f{0.0f, -3.0f, 0.0f}, {0.0f, 1.0f, 0.0f}});
+    ASSERT_TRUE(p.valid);
+    expectNear(p.position, offset + Vec3f{0.0f, 1.0f, 0.0f});
+    expectNear(p.geometricNormal, {0.0f, 1.0f, 0.0f});
+    EXPECT_NEAR(p.uv.x, angle, 1e-5f);
+    EXPECT_NEAR(p.uv.y, 0.5f, 1e-5f);
+  }
+}
+
+TEST(SurfacePoint, BoxFacesHaveTheBooksParameters) {
+  BoxSet set;
+  addTo(set, {{0.0f, 0.0f, 0.0f}, {1.0f, 2.0f, 3.0f}, 1.0f, 0.0f, 0.0f, 0.0f});
+  set.rotationW = {1.0f};
+  // At (x, y, z) = (.5, 1, 1.5) on every face; "The Next Week", 8.1 gives corner and edges of each.
+  const struct {
+    Vec3f normal;
+    float u, v;
+  } cases[] = {{{0, 0, 1}, 0.75f, 0.75f},  {{1, 0, 0}, 0.25f, 0.75f}, {{0, 0, -1}, 0.25f, 0.75f},
+               {{-1, 0, 0}, 0.75f, 0.75f}, {{0, 1, 0}, 0.75f, 0.25f}, {{0, -1, 0}, 0.75f, 0.75f}};
+  for (const auto& c : cases) {
+    const Vec3f inPlane = Vec3f{0.5f, 1.0f, 1.5f} * (Vec3f{1.0f, 1.0f, 1.0f} - absolute(c.normal));
+    const SurfacePoint<float> p = meet(set, {inPlane + c.normal * 10.0f, -c.normal});
+    ASSERT_TRUE(p.valid);
+    expectNear(p.geometricNormal, c.normal);
+    EXPECT_NEAR(p.uv.x, c.u, 1e-5f);
+    EXPECT_NEAR(p.uv.y, c.v, 1e-5f);
+  }
+  // Turned: the normal turns too, also for the exit face from inside.
+  const float h = std::sqrt(0.5f);
+  set.rotationW = {h};
+  set.rotationY = {h};
+  const SurfacePoint<float> p = meet(set, {{0.0f, 0.0f, 0.0f}, {1.0f, 0.0f, 0.0f}});
+  expectNear(p.position, {3.0f, 0.0f, 0.0f});
+  expectNear(p.geometricNormal, {1.0f, 0.0f, 0.0f});
+}
+
+TEST(SurfacePoint, MeshesInterpolateNormalsAndParameters) {
+  TriangleMesh mesh;
+  addTo(mesh, {0.0f, 0.0f, 0.0f}, {1.0f, 0.0f, 0.0f}, {0.0f, 1.0f, 0.0f});
+  const Ray<float> ray{{0.5f, 0.25f, 3.0f}, {0.0f, 0.0f, -1.0f}};
+  SurfacePoint<float> p = meet(mesh, ray);
+  ASSERT_TRUE(p.valid);
+  expectNear(p.geometricNormal, {0.0f, 0.0f, 1.0f});
+  expectNear(p.shadingNormal, {0.0f, 0.0f, 1.0f});
+  EXPECT_NEAR(p.uv.x, 0.5f, 1e-6f);
+  EXPECT_NEAR(p.uv.y, 0.25f, 1e-6f);
+  const Vec3f a = normalize(Vec3f{0.0f, 0.3f, 1.0f}), b = normalize(Vec3f{0.5f, 0.0f, 1.0f}), c{0.0f, 0.0f, 1.0f};
+  mesh.normals = {a, b, c};
+  mesh.uvs = {{0.0f, 0.0f}, {0.0f, 1.0f}, {1.0f, 1.0f}};
+  p = meet(mesh, ray);
+  expectNear(p.geometricNormal, {0.0f, 0.0f, 1.0f});
+  expectNear(p.shadingNormal, normalize(a * 0.25f + b * 0.5f + c * 0.25f));
+  EXPECT_NEAR(p.uv.x, 0.25f, 1e-6f);
+  EXPECT_NEAR(p.uv.y, 0.75f, 1e-6f);
+  // Normals that point the other way are turned to the side of the geometric one.
+  for (Vec3f& n : mesh.normals) n = -n;
+  EXPECT_GT(dot(meet(mesh, ray).shadingNormal, Vec3f{0.0f, 0.0f, 1.0f}), 0.5f);
+}
+
+TEST(SurfacePoint, CustomShapesGiveTheirOwnNormal) {
+  const CustomShapeSet set{{std::make_shared<Slab>(2.0f, 1.0f)}};
+  const SurfacePoint<float> p = meet(set, {{1.0f, 0.0f, -3.0f}, {0.0f, 0.0f, 1.0f}});
+  ASSERT_TRUE(p.valid);
+  expectNear(p.position, {1.0f, 0.0f, 1.0f});
+  expectNear(p.geometricNormal, {0.0f, 0.0f, 1.0f});
+  EXPECT_NEAR(p.uv.x, 0.75f, 1e-6f);
+}
+
+TEST(SurfacePoint, PrimitivesCanHaveMaterialsOfTheirOwn) {
+  SphereSet set;
+  addTo(set, {{0.0f, 0.0f, 0.0f}, 1.0f});
+  addTo(set, {{5.0f, 0.0f, 0.0f}, 1.0f});
+  SceneDescription scene;
+  scene.shapes[scene.addShape("spheres", set, 5)].primitiveMaterials = {8, 9};
+  const Geometry geometry(std::make_shared<SceneDescription>(scene));
+  const Ray<float> ray{{5.0f, 0.0f, 9.0f}, {0.0f, 0.0f, -1.0f}};
+  EXPECT_EQ(geometry.surfacePoint(ray, geometry.intersect(ray)).material, 9u);
+}
+
+// --- Rays that leave a surface ------------------------------------------------------------------------------------
+
+/// Shapes of about `size` at about `place` from the origin.
+ShapeGeometry randomShape(int kind, Random& random, float place, float size) {
+  const Vec3f at = random.point(place);
+  const auto edge = [&] { return random.direction() * (size * random.uniform(0.3f, 1.0f)); };
+  const auto half = [&] { return size * random.uniform(0.3f, 1.0f); };
+  const auto turn = [&] { return random.uniform(-1.0f, 1.0f); };
+  SphereSet sphere;
+  QuadSet quad;
+  DiskSet disk;
+  BoxSet box;
+  TriangleMesh mesh;
+  switch (kind) {
+    case 0:
+      return addTo(sphere, {at, half()}), sphere;
+    case 1:
+      return addTo(quad, {at, edge(), edge()}), quad;
+    case 2:
+      return addTo(disk, {at, random.direction(), half()}), disk;
+    case 3:
+      return addTo(box, {at, {half(), half(), half()}, turn(), 0.0f, turn(), 0.0f}), box;
+    case 4:
+      return addTo(box, {at, {half(), half(), half()}, turn(), turn(), turn(), turn()}), box;
+    default:
+      return addTo(mesh, at, at + edge(), at + edge()), mesh;
+  }
+}
+bool isClosed(int kind) { return kind == 0 || kind == 3 || kind == 4; }
+
+/// A direction on the side of `normal`; every other one close to the surface.
+Vec3f leaving(Random& random, Vec3f normal, int i) {
+  const Vec3f d = faceForward(random.direction(), normal);
+  if (i % 2 == 0) return d;
+  const Vec3f tangent = d - normal * dot(d, normal);
+  return normalize(normalize(tangent) + normal * std::exp(random.uniform(-9.0f, 0.0f)));
+}
+
+struct Leaks {
+  int points = 0, touched = 0, escaped = 0;
+};
+
+/// Rays leave random points of `geometry`'s single convex primitive: outwards they must not meet it again, and inwards
+/// (closed shapes) they must, and not at once. `size` is that of the shape in the world.
+void leaveBy(const Geometry& geometry, bool closed, Random& random, float size, Leaks& leaks) {
+  const Bounds3 bounds = geometry.bounds();
+  for (int i = 0; i < 40; ++i) {
+    const Vec3f target = bounds.center() + random.point(0.3f) * bounds.extent();
+    const Vec3f origin = target + random.direction() * (size * std::exp(random.uniform(0.5f, 4.0f)));
+    const Ray<float> ray{origin, normalize(target - origin)};
+    const SurfacePoint<float> p = geometry.surfacePoint(ray, geometry.intersect(ray));
+    if (!p.valid) continue;
+    ++leaks.points;
+    const ScatterPoint<float> from{
+        .position = p.position, .positionError = p.positionError, .geometricNormal = p.geometricNormal};
+    const Vec3f out = leaving(random, p.geometricNormal, i), in = -leaving(random, p.geometricNormal, 2 * i);
+    leaks.touched += geometry.intersect(spawnRay(from, out, kInfinity)).valid;
+    const Ray<float> inward = spawnRay(from, in, kInfinity);
+    const Hit<float> exit = geometry.intersect(inward);
+    if (!closed) {
+      leaks.touched += exit.valid;
+    } else if (dot(in, p.geometricNormal) < -0.2f) {
+      // The other side may be close by at the edges of a box, but a hit at the start would be the surface itself.
+      leaks.escaped += !exit.valid && length(p.position - bounds.center()) < 0.3f * size;
+      leaks.touched += exit.valid && exit.t == 0.0f;
+    }
+  }
+}
+
+class LeavingRays : public testing::TestWithParam<std::tuple<float, float>> {};
+
+TEST_P(LeavingRays, DoNotMeetTheSurfaceTheyLeave) {
+  const auto [place, size] = GetParam();
+  for (int kind = 0; kind < 6; ++kind) {
+    for (const std::size_t clustered : {std::size_t{100}, std::size_t{0}}) {
+      if (clustered == 0 && kind < 5) continue;  // native triangles
+      Random random(static_cast<unsigned>(kind) + 1);
+      Leaks leaks;
+      for (int round = 0; round < (clustered ? 120 : 30); ++round) {
+        SceneDescription scene;
+        scene.addShape("shape", randomShape(kind, random, place, size), 0);
+        const Geometry geometry(std::make_shared<SceneDescription>(scene), {.clusteredTriangles = clustered});
+        leaveBy(geometry, isClosed(kind), random, size, leaks);
+      }
+      EXPECT_GT(leaks.points, 200) << kind;
+      EXPECT_EQ(leaks.touched, 0) << kind << " of " << leaks.points;
+      EXPECT_EQ(leaks.escaped, 0) << kind << " of " << leaks.points;
+    }
+  }
+}
+
+TEST_P(LeavingRays, DoNotMeetTheInstanceTheyLeave) {
+  const auto [place, size] = GetParam();
+  for (int kind = 0; kind < 6; ++kind) {
+    Random random(static_cast<unsigned>(kind) + 10);
+    Leaks leaks;
+    for (int round = 0; round < 15; ++round) {
+      SceneDescription scene;
+      const float scale = std::exp(random.uniform(-3.0f, 3.0f));
+      scene.addShape("shape", randomShape(kind, random, size / scale, size / scale), 0);
+      scene.groups = {{"group", {0}}};
+      const Vec3f scales = Vec3f{random.uniform(0.5f, 1.5f), random.uniform(0.5f, 1.5f), random.uniform(-1.5f, -0.5f)};
+      scene.instances = {{0, {transformOf(random.point(3.0f), scales * scale, random.point(place))}, {}}};
+      const Geometry geometry(std::make_shared<SceneDescription>(scene), {.clusteredTriangles = round % 2 ? 0u : 100u});
+      leaveBy(geometry, isClosed(kind), random, size, leaks);
+    }
+    EXPECT_GT(leaks.points, 100) << kind;
+    EXPECT_EQ(leaks.touched, 0) << kind << " of " << leaks.points;
+    EXPECT_EQ(leaks.escaped, 0) << kind << " of " << leaks.points;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Coordinates, LeavingRays,
+                         testing::Values(std::tuple{1e-3f, 1e-3f}, std::tuple{1e-3f, 1e-4f}, std::tuple{1.0f, 1.0f},
+                                         std::tuple{100.0f, 1.0f}, std::tuple{1e3f, 1e3f}, std::tuple{1e6f, 1e2f},
+                                         std::tuple{1e6f, 1e6f}));
+
+}  // namespace
+}  // namespace steradian::test

@@ -1,0 +1,63 @@
+#include "steradian/accel/shapes/hittable_pdf.h"
+
+#include <array>
+
+#include "steradian/tests/shapes/sampling_stat_check.h"
+
+namespace steradian::test {
+namespace {
+
+Matrix shear() {
+  return {2.0f, 0.3f, 0.0f, 0.0f, -0.4f, 0.7f, 0.2f, 0.0f, 0.1f, 0.0f, 1.5f, 0.0f, 1.0f, -2.0f, 0.5f, 1.0f};
+}
+const SampledShape kSphere(Sphere<float>{{0.0f, 0.0f, 2.0f}, 0.5f});
+const SampledShape kDisk(Disk<float>{{0.0f, 0.0f, 2.0f}, {0.6f, 0.0f, 0.8f}, 0.7f});
+const SampledShape kBox(Box<float>{{0.0f, 0.0f, 2.0f}, {0.5f, 0.8f, 0.3f}, Frame<float>::fromZ({0.6f, 0.0f, 0.8f})});
+const SampledShape kBehind(Quad<float>{{-1.0f, -1.0f, 4.0f}, {2.0f, 0.0f, 0.0f}, {0.0f, 2.0f, 0.0f}});
+const SampledShape kAside(Triangle<float>{{3.0f, 0.0f, 0.0f}, {3.0f, 1.0f, 0.0f}, {3.0f, 0.0f, 2.0f}});
+
+testing::AssertionResult check(const HittablePdf& target, const DirectionCheckOptions& options) {
+  return checkDirectionSampler([&](float choice, Vec2f u) { return target.sample(choice, u); },
+                               [&](Vec3f wi) { return static_cast<double>(target.pdf(wi)); }, options);
+}
+
+TEST(HittablePdfStat, TransformedShapes) {
+  for (const SampledShape& local : {kSphere, kDisk, kBox}) {
+    const SampledShape world = transformed(local, shear());
+    for (const Vec3f from : {Vec3f{}, Vec3f{1.2f, -2.0f, 3.3f}}) {
+      DirectionCheckOptions options;
+      options.edgeShare = 0.005;
+      options.grid.axis = normalize(Vec3f{1.2f, -2.0f, 3.5f} - from);
+      EXPECT_TRUE(check(HittablePdf(world, from), options));
+    }
+  }
+}
+
+TEST(HittablePdfStat, GroupsWithOverlapAndOcclusion) {
+  const std::array<float, 4> weights{1.0f, 2.0f, 0.5f, 1.5f};
+  const TargetGroup group({kSphere, kBehind, kBox, kAside}, weights);
+  DirectionCheckOptions options;
+  options.edgeShare = 0.005;
+  EXPECT_TRUE(check(HittablePdf(group, {}), options));
+}
+
+TEST(HittablePdfStat, AGroupThatOnlyCountsTheFirstHitIsRejected) {
+  const TargetGroup group({kSphere, kBehind});
+  const HittablePdf target(group, {});
+  const auto firstOnly = [&](Vec3f wi) {
+    const float near = kSphere.pdfDirection({}, wi);
+    return 0.5 * static_cast<double>(near > 0.0f ? near : kBehind.pdfDirection({}, wi));
+  };
+  DirectionCheckOptions options;
+  options.edgeShare = 0.005;
+  EXPECT_FALSE(checkDirectionSampler(
+      [&](float choice, Vec2f u) {
+        DirectionSample<float> s = target.sample(choice, u);
+        s.pdf = static_cast<float>(firstOnly(s.wi));
+        return s;
+      },
+      firstOnly, options));
+}
+
+}  // namespace
+}  // namespace steradian::test
