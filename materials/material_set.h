@@ -1,0 +1,31 @@
+#pragma once
+/// The materials of a scene, ready for shading: makes the Bsdf of a surface point.
+#include <vector>
+
+#include "steradian/materials/bsdf.h"
+#include "steradian/materials/texture.h"
+
+namespace steradian {
+
+class MaterialSet {
+ public:
+  /// The description must be valid (see validate()).
+  explicit MaterialSet(const SceneDescription& scene);
+
+  /// Textures are resolved here. `wo` decides the frame only where the shading normal, but not the geometric one, turns
+  /// away from it: there the geometric normal is used for both. A point without material absorbs.
+  Bsdf bsdf(const SurfacePoint<float>& at, Vec3f wo) const;
+
+  std::size_t size() const { return entries_.size(); }
+
+ private:
+  /// The model with its constant colour; `texture` replaces that where it is not kNone.
+  struct Entry {
+    Bsdf::Model model;
+    Id texture = kNone;
+  };
+  TextureSet textures_;
+  std::vector<Entry> entries_;
+};
+
+}  // namespace steradian
