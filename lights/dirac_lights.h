@@ -1,0 +1,66 @@
+#pragma once
+/// Lights that shine along single directions: point, spot, distant. Only light sampling finds them; their samples have
+/// pdf kDirac.
+#include "steradian/core/description.h"
+#include "steradian/core/scattering.h"
+
+namespace steradian {
+
+namespace detail {
+/// What a point of intensity I gives: weight I / d^2.
+template <class F>
+LightSample<F> pointSample(Vec3f position, const Spectrum<F>& intensity, Vec3<F> from) {
+  const Vec3<F> offset = broadcast<F>(position) - from;
+  const F squared = lengthSquared(offset);
+  const MaskOf<F> apart = squared > F(0.0f);
+  const F distance = squareRoot(squared);
+  const F safe = select(apart, distance, F(1.0f));
+  return {intensity * (F(1.0f) / (safe * safe)), offset * (F(1.0f) / safe), distance,
+          select(apart, F(kDirac), F(0.0f))};
+}
+}  // namespace detail
+
+/// The sample of a point light: weight in W m^-2, as if the light were the only one.
+template <class F>
+LightSample<F> sampleLight(const PointLight& light, Vec3<F> from) {
+  return detail::pointSample(light.position, broadcast<F>(light.intensity), from);
+}
+
+/// A spot light with its angles turned to cosines.
+struct PreparedSpot {
+  explicit PreparedSpot(const SpotLight& light);
+
+  /// Share of the full intensity at a cosine with the axis: the smoothstep 3 t^2 - 2 t^3 between the two cosines.
+  template <class F>
+  F falloff(F cosine) const {
+    const F t = clamp((cosine - F(cosOuter)) * F(inverseWidth), F(0.0f), F(1.0f));
+    return t * t * (F(3.0f) - F(2.0f) * t);
+  }
+
+  Vec3f position, axis;  ///< axis: unit, the way the light travels
+  Rgb intensity;
+  float cosInner, cosOuter, inverseWidth;
+};
+
+/// Likewise, W m^-2.
+template <class F>
+LightSample<F> sampleLight(const PreparedSpot& light, Vec3<F> from) {
+  LightSample<F> s = detail::pointSample(light.position, broadcast<F>(light.intensity), from);
+  const F share = light.falloff(-dot(s.wi, broadcast<F>(light.axis)));
+  s.weight *= share;
+  s.pdf = select(share > F(0.0f), s.pdf, F(0.0f));
+  return s;
+}
+
+/// Likewise, W m^-2; the direction of the light must be a unit vector here.
+template <class F>
+LightSample<F> sampleLight(const DistantLight& light, Vec3<F>) {
+  return {broadcast<F>(light.irradiance), broadcast<F>(-light.direction), F(kInfinity), F(kDirac)};
+}
+
+/// Total power in W per channel. That of a distant light is what enters a scene of the given bounding radius.
+Rgb powerOf(const PointLight& light);
+Rgb powerOf(const PreparedSpot& light);
+Rgb powerOf(const DistantLight& light, float sceneRadius);
+
+}  // namespace steradian

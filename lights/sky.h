@@ -1,0 +1,50 @@
+#pragma once
+/// Smooth skies: radiance from infinitely far away, constant or linear in the height of the direction.
+#include "steradian/core/description.h"
+#include "steradian/core/frame.h"
+#include "steradian/core/scattering.h"
+#include "steradian/core/warp.h"
+
+namespace steradian {
+
+/// All skies of a scene in one: they lie behind one another, so their radiances add up to one that is linear in y
+/// again.
+struct Sky {
+  Rgb nadir, zenith;
+
+  void add(const ConstantSky& sky) { *this = {nadir + sky.radiance, zenith + sky.radiance}; }
+  void add(const GradientSky& sky) { *this = {nadir + sky.nadir, zenith + sky.zenith}; }
+
+  /// Radiance from `direction`, W sr^-1 m^-2.
+  template <class F>
+  Spectrum<F> radiance(Vec3<F> direction) const {
+    const F t = F(0.5f) * (direction.y + F(1.0f));
+    return broadcast<F>(nadir) * (F(1.0f) - t) + broadcast<F>(zenith) * t;
+  }
+
+  /// Power that enters a sphere about the scene: W per channel.
+  Rgb power(float sceneRadius) const { return (nadir + zenith) * (0.5f * kFourPi * kPi * sceneRadius * sceneRadius); }
+};
+
+/// The density with which skies are sampled: |cos| / 2 pi about the line of the normal, on both sides of the surface,
+/// as nothing here knows which of them scatters; 1 / 4 pi for a free point (normal zero).
+template <class F>
+F skyPdf(Vec3<F> normal, Vec3<F> wi) {
+  const MaskOf<F> free = lengthSquared(normal) == F(0.0f);
+  return select(free, F(kInvFourPi), absDot(normal, wi) * F(kInvTwoPi));
+}
+
+/// A direction with the density skyPdf, per sr.
+template <class F>
+DirectionSample<F> sampleSky(Vec3<F> normal, Vec2<F> u) {
+  const MaskOf<F> free = lengthSquared(normal) == F(0.0f);
+  const Vec3<F> axis = select(free, Vec3<F>{F(0.0f), F(0.0f), F(1.0f)}, normal);
+  // The first random number also chooses the side.
+  const MaskOf<F> above = u.x < F(0.5f);
+  const F rest = minimum(F(2.0f) * select(above, u.x, u.x - F(0.5f)), F(kOneMinusEpsilon));
+  const Vec3<F> cosine = Frame<F>::fromZ(select(above, axis, -axis)).toWorld(CosineHemisphere<F>::sample({rest, u.y}));
+  const Vec3<F> wi = select(free, UniformSphere<F>::sample(u), cosine);
+  return {wi, skyPdf(normal, wi), F(kInfinity)};
+}
+
+}  // namespace steradian

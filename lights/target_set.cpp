@@ -1,0 +1,110 @@
+#include "steradian/lights/target_set.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "steradian/lights/area_lights.h"
+
+namespace steradian {
+namespace {
+
+constexpr const char* kLights = "lights";
+
+/// An object: its primitives with their weights, which add up to 1.
+struct Object {
+  std::vector<SampledShape> shapes;
+  std::vector<float> weights;
+
+  void add(SampledShape shape, float weight) {
+    shapes.push_back(std::move(shape));
+    weights.push_back(weight);
+  }
+  void normalise() {
+    double sum = 0.0;
+    for (const float w : weights) sum += static_cast<double>(w);
+    if (sum > 0.0) {
+      for (float& w : weights) w = static_cast<float>(static_cast<double>(w) / sum);
+    }
+  }
+};
+
+Object lightsOf(const SceneDescription& scene) {
+  const AreaLights lights(scene);
+  Object object;
+  for (std::size_t i = 0; i < lights.size(); ++i) object.add(lights[i].shape(), luminance(lights[i].power()));
+  return object;
+}
+
+void addShape(const SceneDescription& scene, Id shape, Object& object) {
+  const ShapeGeometry& geometry = scene.shapes[shape].geometry;
+  const bool inGroup = shapesInGroups(scene)[shape];
+  for (std::size_t i = 0; i < primitiveCount(geometry); ++i) {
+    const SampledShape local = sampledShapeOf(geometry, i);
+    if (!inGroup) object.add(local, local.area());
+    for (const InstanceSet& set : scene.instances) {
+      const std::vector<Id>& members = scene.groups[set.group].shapes;
+      if (std::find(members.begin(), members.end(), shape) == members.end()) continue;
+      for (const Matrix& localToWorld : set.transforms) {
+        const SampledShape moved = transformed(local, localToWorld);
+        object.add(moved, moved.area());
+      }
+    }
+  }
+}
+
+/// All shapes of one name are one object.
+Object objectOf(const SceneDescription& scene, const std::string& name) {
+  if (name == kLights) return lightsOf(scene);
+  Object object;
+  bool found = false;
+  for (Id shape = 0; shape < scene.shapes.size(); ++shape) {
+    if (scene.shapes[shape].name != name) continue;
+    found = true;
+    addShape(scene, shape, object);
+  }
+  if (found) return object;
+  std::vector<std::string> names{kLights};
+  for (const ShapeDescription& shape : scene.shapes) {
+    if (!shape.name.empty()) names.push_back(shape.name);
+  }
+  Diagnostic diagnostic;
+  diagnostic.message = "there is no target named \"" + name + "\": it is neither a shape nor \"lights\"";
+  diagnostic.suggestion = didYouMean(name, names);
+  throw Error(ErrorKind::Usage, diagnostic);
+}
+
+std::vector<Object> objectsOf(const SceneDescription& scene, std::span<const std::string> names) {
+  std::vector<Object> objects;
+  for (const std::string& name : names) objects.push_back(objectOf(scene, name));
+  if (!names.empty()) return objects;
+  for (Id shape = 0; shape < scene.shapes.size(); ++shape) {
+    if (scene.shapes[shape].target) addShape(scene, shape, objects.emplace_back());
+  }
+  if (objects.empty()) objects.push_back(lightsOf(scene));
+  return objects;
+}
+
+TargetGroup groupOf(std::vector<Object> objects) {
+  Object all;
+  for (Object& object : objects) {
+    object.normalise();
+    for (std::size_t i = 0; i < object.shapes.size(); ++i) all.add(std::move(object.shapes[i]), object.weights[i]);
+  }
+  return TargetGroup(std::move(all.shapes), all.weights);
+}
+
+}  // namespace
+
+TargetSet::TargetSet(const SceneDescription& scene, std::span<const std::string> names)
+    : members_(groupOf(objectsOf(scene, names))) {}
+
+DirectionSample<float> TargetSet::sampleDirection(const ScatterPoint<float>& from,
+                                                  const LightRandom<float>& random) const {
+  return HittablePdf(members_, from.position).sample(random.select, random.position);
+}
+
+float TargetSet::pdfDirection(const ScatterPoint<float>& from, Vec3f wi) const {
+  return HittablePdf(members_, from.position).pdf(wi);
+}
+
+}  // namespace steradian
