@@ -1,0 +1,33 @@
+#include "steradian/integrators/aov.h"
+
+#include "steradian/core/direction_pdf.h"
+#include "steradian/core/ray_offset.h"
+
+namespace steradian {
+
+Rgb NormalIntegrator::radiance(const Scene& scene, const Ray<float>& ray, const Sampler<float>&) const {
+  const PixelSample hit = traceFirstHit(scene, ray);
+  if (hit.alpha == 0.0f) return scene.lights().radiance(ray, {});
+  return {0.5f * (hit.normal.x + 1.0f), 0.5f * (hit.normal.y + 1.0f), 0.5f * (hit.normal.z + 1.0f)};
+}
+
+Rgb AlbedoIntegrator::radiance(const Scene& scene, const Ray<float>& ray, const Sampler<float>&) const {
+  return traceFirstHit(scene, ray).albedo;
+}
+
+Rgb DepthIntegrator::radiance(const Scene& scene, const Ray<float>& ray, const Sampler<float>&) const {
+  const PixelSample hit = traceFirstHit(scene, ray);
+  return grey(hit.alpha > 0.0f ? hit.depth : 0.0f);
+}
+
+Rgb AmbientOcclusionIntegrator::radiance(const Scene& scene, const Ray<float>& ray,
+                                         const Sampler<float>& sampler) const {
+  const Hit<float> hit = scene.geometry().intersect(ray);
+  if (!hit.valid) return {};
+  const SurfacePoint<float> surface = scene.geometry().surfacePoint(ray, hit);
+  const CosinePdf<float> cosine(faceForward(surface.shadingNormal, -ray.direction));
+  const Vec3f wi = cosine.sample(sampler.get2D(0, Purpose::BsdfDirection)).wi;
+  return grey(scene.geometry().occluded(spawnRay(scatterPoint(surface, ray.time), wi, distance_)) ? 0.0f : 1.0f);
+}
+
+}  // namespace steradian

@@ -1,0 +1,73 @@
+#include "steradian/integrators/make_integrator.h"
+
+#include <array>
+#include <limits>
+
+#include "steradian/integrators/aov.h"
+#include "steradian/integrators/path.h"
+
+namespace steradian {
+namespace {
+
+constexpr std::array<std::string_view, 4> kStrategies{"bsdf", "light", "mis", "mixture"};
+constexpr std::array<std::string_view, 4> kScatterPdfs{"bsdf", "cosine", "hemisphere", "sphere"};
+
+constexpr std::array kPathKeys{
+    IntegratorKey{"strategy", "mis", "how light is found: bsdf|light|mis|mixture"},
+    IntegratorKey{"max-depth", "the scene's", "bounces; 0: emission only"},
+    IntegratorKey{"light-samples", "1", "shadow rays per vertex"},
+    IntegratorKey{"scatter-pdf", "bsdf", "what proposes scattered directions: bsdf|cosine|hemisphere|sphere"},
+    IntegratorKey{"roulette-start", "8", "bounces before paths may be ended by chance"},
+    IntegratorKey{"roulette-strength", "1", "0: never end them; 1: survival as probable as the path is bright"},
+    IntegratorKey{"target-weight", "0.5", "mixture: probability of a sampling target; 1 loses other light"},
+    IntegratorKey{"targets", "the scene's", "mixture: names of shapes, or lights; separated by commas"},
+};
+constexpr std::array kOcclusionKeys{
+    IntegratorKey{"distance", "inf", "what is farther does not occlude; scene units"},
+};
+constexpr std::array kRegistry{
+    IntegratorInfo{"path", "path tracing with four strategies for direct light", kPathKeys},
+    IntegratorInfo{"normals", "(n + 1) / 2 of the normal that faces the camera", {}},
+    IntegratorInfo{"albedo", "the colour of materials", {}},
+    IntegratorInfo{"depth", "distance from the camera", {}},
+    IntegratorInfo{"ambient-occlusion", "how open the hemisphere above each point is", kOcclusionKeys},
+};
+
+PathSettings readPathSettings(IntegratorSpec& spec) {
+  PathSettings settings;
+  spec.read("strategy", settings.strategy, kStrategies);
+  spec.read("max-depth", settings.maxDepth, 0u, PathSettings::kDeepest);
+  spec.read("light-samples", settings.lightSamples, 1u, PathSettings::kMostLightSamples);
+  spec.read("scatter-pdf", settings.scatterPdf, kScatterPdfs);
+  spec.read("roulette-start", settings.rouletteStart, 0u, PathSettings::kDeepest);
+  spec.read("roulette-strength", settings.rouletteStrength, 0.0f, 1.0f);
+  spec.read("target-weight", settings.targetWeight, 0.0f, 1.0f);
+  spec.read("targets", settings.targets);
+  if (settings.strategy != Strategy::Mixture) {
+    for (const std::string_view key : {"target-weight", "targets"}) spec.refuse(key, "needs strategy=mixture");
+  }
+  return settings;
+}
+
+}  // namespace
+
+std::span<const IntegratorInfo> integratorRegistry() { return kRegistry; }
+
+std::unique_ptr<Integrator> makeIntegrator(std::string_view text) {
+  IntegratorSpec spec(text);
+  const IntegratorInfo* info = spec.find(kRegistry);
+  const std::string_view name = info == nullptr ? std::string_view() : info->name;
+  PathSettings path;
+  float distance = kInfinity;
+  if (name == "path") path = readPathSettings(spec);
+  if (name == "ambient-occlusion") spec.read("distance", distance, std::numeric_limits<float>::min(), kInfinity);
+  spec.throwIfWrong();
+
+  if (name == "normals") return std::make_unique<NormalIntegrator>();
+  if (name == "albedo") return std::make_unique<AlbedoIntegrator>();
+  if (name == "depth") return std::make_unique<DepthIntegrator>();
+  if (name == "ambient-occlusion") return std::make_unique<AmbientOcclusionIntegrator>(distance);
+  return std::make_unique<PathIntegrator>(path);
+}
+
+}  // namespace steradian

@@ -1,0 +1,196 @@
+#pragma once
+/// The loop of the path integrator: one path from the camera, light gathered at each vertex.
+///
+/// The direct-light strategies differ in two choices only: which lights are sampled at a vertex, and which density
+/// scattering is taken to have when it competes with light sampling in the power heuristic. `bsdf` and `mixture` sample
+/// those lights only that cannot be hit. `mis` samples all but skies and takes the true density. `light` samples all
+/// and takes 0, so that light samples get all the weight, hits of emitters none. Dirac lobes have infinity in every
+/// strategy. What light sampling cannot find has pdf 0 as emission and belongs to scattering alone.
+#include "steradian/core/direction_pdf.h"
+#include "steradian/core/ray_offset.h"
+#include "steradian/core/sampler.h"
+#include "steradian/integrators/integrator.h"
+#include "steradian/integrators/path_settings.h"
+#include "steradian/integrators/scene_queries.h"
+
+namespace steradian {
+
+/// The settings, as they apply to one scene.
+struct PathPlan {
+  Strategy strategy;
+  ScatterPdf scatterPdf;
+  std::uint32_t maxDepth, lightSamples, rouletteStart;
+  float rouletteStrength;
+  float targetWeight;           ///< 0 where there is no target
+  const LightSet* lights;       ///< sampled at vertices
+  const LightSet* diracLights;  ///< sampled at those that PathVertex::lightSampled is false for
+  const TargetSet* targets;     ///< null where targetWeight is 0
+};
+
+/// Where light arrives and leaves.
+struct PathVertex {
+  ScatterPoint<float> point;
+  Vec3f axis;  ///< the shading normal, turned to the side of wo
+  Vec3f wo;
+  const Bsdf& bsdf;
+  float diracProbability;  ///< of sampling one of the BSDF's Dirac lobes
+  bool lightSampled;       ///< lights that could also be hit are sampled for it
+};
+
+/// The density, per steradian, with which `scatter` takes a continuous lobe and chooses wi; `bsdfPdf` is the BSDF's
+/// own.
+inline float scatterDensity(ScatterPdf kind, const PathVertex& vertex, Vec3f wi, float bsdfPdf) {
+  const float continuous = 1.0f - vertex.diracProbability;
+  switch (kind) {
+    case ScatterPdf::Bsdf:
+      return bsdfPdf;
+    case ScatterPdf::Cosine:
+      return continuous * maximum(dot(wi, vertex.axis), 0.0f) * kInvPi;
+    case ScatterPdf::Hemisphere:
+      return dot(wi, vertex.axis) >= 0.0f ? continuous * kInvTwoPi : 0.0f;
+    case ScatterPdf::Sphere:
+      return continuous * kInvFourPi;
+  }
+  return 0.0f;
+}
+
+/// The BSDF's sample, or for its continuous lobes one of the density asked for.
+inline BsdfSample<float> scatter(ScatterPdf kind, const PathVertex& vertex, BsdfRandom<float> random) {
+  if (kind == ScatterPdf::Bsdf || random.lobe < vertex.diracProbability) {
+    return vertex.bsdf.sample(vertex.wo, random, Transport::Radiance);
+  }
+  DirectionSample<float> direction = SpherePdf<float>().sample(random.direction);
+  if (kind == ScatterPdf::Cosine) direction = CosinePdf<float>(vertex.axis).sample(random.direction);
+  if (kind == ScatterPdf::Hemisphere) direction = HemispherePdf<float>(vertex.axis).sample(random.direction);
+  const BsdfValue<float> f = vertex.bsdf.eval(vertex.wo, direction.wi, Transport::Radiance);
+  const float pdf = scatterDensity(kind, vertex, direction.wi, f.pdf);
+  if (!(pdf > 0.0f) || isBlack(f.value)) return {};
+  return {f.value / pdf, direction.wi, pdf, kLobeDiffuse, 1.0f};
+}
+
+/// One direction from the mixture of targets and scattering, over its marginal density. Dirac lobes come first, with
+/// their own probability; the mixture covers the continuous ones.
+template <class Queries>
+BsdfSample<float> scatterMixture(const PathPlan& plan, Queries& queries, const PathVertex& vertex,
+                                 BsdfRandom<float> random, const Sampler<float>& sampler, std::uint32_t bounce) {
+  if (random.lobe < vertex.diracProbability) return vertex.bsdf.sample(vertex.wo, random, Transport::Radiance);
+  Vec3f wi;
+  if (sampler.get1D(bounce, Purpose::Mixture) < plan.targetWeight) {
+    // Numbers of their own: LightSelect and LightPosition of this bounce belong to the light samples.
+    const std::uint32_t own = bounce + plan.lightSamples * (plan.maxDepth + 1);
+    const LightRandom<float> targetRandom{sampler.get1D(own, Purpose::LightSelect),
+                                          sampler.get2D(own, Purpose::LightPosition)};
+    const DirectionSample<float> target = queries.sampleTarget(*plan.targets, vertex.point, targetRandom);
+    if (!(target.pdf > 0.0f)) return {};
+    wi = target.wi;
+  } else {
+    const BsdfSample<float> scattered = scatter(plan.scatterPdf, vertex, random);
+    if (!(scattered.pdf > 0.0f)) return {};
+    wi = scattered.wi;
+  }
+  const BsdfValue<float> f = vertex.bsdf.eval(vertex.wo, wi, Transport::Radiance);
+  if (isBlack(f.value)) return {};
+  const float targetPdf = (1.0f - vertex.diracProbability) * queries.targetPdf(*plan.targets, vertex.point, wi);
+  const float pdf =
+      plan.targetWeight * targetPdf + (1.0f - plan.targetWeight) * scatterDensity(plan.scatterPdf, vertex, wi, f.pdf);
+  if (!(pdf > 0.0f)) return {};
+  return {f.value / pdf, wi, pdf, kLobeDiffuse, 1.0f};
+}
+
+/// The density that scattering is taken to have where emission can be found by it and by light sampling (see above).
+inline float competingDensity(Strategy strategy, bool lightSampled, float pdf) {
+  if (strategy != Strategy::Light) return pdf;
+  return lightSampled && pdf != kDirac ? 0.0f : kDirac;
+}
+
+/// Radiance that leaves the vertex towards wo, of light that arrives straight from the lights.
+template <class Queries>
+Rgb directLight(const PathPlan& plan, Queries& queries, const PathVertex& vertex, const Sampler<float>& sampler,
+                std::uint32_t bounce) {
+  const LightSet& lights = vertex.lightSampled ? *plan.lights : *plan.diracLights;
+  Rgb sum{};
+  if (lights.empty() || vertex.diracProbability >= 1.0f) return sum;
+  const float count = static_cast<float>(plan.lightSamples);
+  for (std::uint32_t i = 0; i < plan.lightSamples; ++i) {
+    // Further samples take the dimensions of bounces that no path reaches.
+    const std::uint32_t own = bounce + i * (plan.maxDepth + 1);
+    const float select = lights.size() > 1 ? sampler.get1D(own, Purpose::LightSelect) : 0.0f;
+    const LightSample<float> light =
+        queries.sampleLight(lights, vertex.point, {select, sampler.get2D(own, Purpose::LightPosition)});
+    if (!(light.pdf > 0.0f)) continue;
+    const BsdfValue<float> f = vertex.bsdf.eval(vertex.wo, light.wi, Transport::Radiance);
+    if (isBlack(f.value)) continue;
+    if (queries.occluded(spawnRay(vertex.point, light.wi, light.distance))) continue;
+    const float density = scatterDensity(plan.scatterPdf, vertex, light.wi, f.pdf);
+    const float other = plan.strategy == Strategy::Mis ? density : 0.0f;
+    sum += f.value * light.weight * misWeight(count * light.pdf, other);
+  }
+  return sum / count;
+}
+
+/// The vertex at a point of a surface; `bsdf` must outlive it.
+inline PathVertex vertexOf(const PathPlan& plan, const SurfacePoint<float>& surface, const Bsdf& bsdf, Vec3f wo,
+                           float time) {
+  const bool lightSampled = plan.strategy != Strategy::Light || bsdf.samplesLights(wo);
+  return {scatterPoint(surface, time),
+          faceForward(bsdf.shadingNormal(), wo),
+          wo,
+          bsdf,
+          bsdf.diracProbability(wo),
+          lightSampled};
+}
+
+/// The probability of going on (PathSettings::rouletteStrength); `refraction` is what refraction has divided the
+/// throughput by, which says nothing about how much light the path will find.
+inline float survivalProbability(float strength, Rgb throughput, float refraction) {
+  return 1.0f - strength * (1.0f - minimum(maxChannel(throughput) * refraction, 1.0f));
+}
+
+/// One path along `ray`: the radiance that arrives by it, and what it met first.
+template <class Queries>
+PixelSample tracePath(const PathPlan& plan, Queries& queries, Ray<float> ray, const Sampler<float>& sampler) {
+  PixelSample result = kMiss;
+  Rgb throughput = grey(1.0f);
+  ScatterPoint<float> from{ray.origin, {}, {}, ray.time};
+  float fromDensity = kDirac;  // competingDensity of ray.direction
+  float refraction = 1.0f;
+  const float lightSamples = static_cast<float>(plan.lightSamples);
+  std::uint32_t bounce = 0;
+  for (;; ++bounce) {
+    const Hit<float> hit = queries.intersect(ray);
+    const SurfacePoint<float> surface = queries.surfacePoint(ray, hit);
+    const Emission<float> emission = queries.emission(*plan.lights, from, ray, surface);
+    const float weight = emission.pdf > 0.0f ? misWeight(fromDensity, lightSamples * emission.pdf) : 1.0f;
+    result.radiance += throughput * emission.radiance * weight;
+    if (!hit.valid) break;
+    const Vec3f wo = -ray.direction;
+    const Bsdf bsdf = queries.bsdf(surface, wo);
+    if (bounce == 0) setFirstHit(result, surface, bsdf, wo);
+    if (bounce == plan.maxDepth) break;
+
+    const PathVertex vertex = vertexOf(plan, surface, bsdf, wo, ray.time);
+    result.radiance += throughput * directLight(plan, queries, vertex, sampler, bounce);
+
+    // Continuous parts are one lobe each: only where there are Dirac lobes is there something to choose.
+    const float lobe = vertex.diracProbability > 0.0f ? sampler.get1D(bounce, Purpose::BsdfLobe) : 0.0f;
+    const BsdfRandom<float> random{lobe, sampler.get2D(bounce, Purpose::BsdfDirection)};
+    const BsdfSample<float> next = plan.targetWeight > 0.0f
+                                       ? scatterMixture(plan, queries, vertex, random, sampler, bounce)
+                                       : scatter(plan.scatterPdf, vertex, random);
+    if (!(next.pdf > 0.0f)) break;
+    throughput *= next.weight;
+    refraction *= sqr(next.eta);
+    if (bounce >= plan.rouletteStart) {
+      const float survival = survivalProbability(plan.rouletteStrength, throughput, refraction);
+      if (!(sampler.get1D(bounce, Purpose::Roulette) < survival)) break;
+      throughput *= 1.0f / survival;
+    }
+    ray = spawnRay(vertex.point, next.wi, kInfinity);
+    from = vertex.point;
+    fromDensity = competingDensity(plan.strategy, vertex.lightSampled, next.pdf);
+  }
+  queries.countPath(bounce);
+  return result;
+}
+
+}  // namespace steradian

@@ -1,0 +1,49 @@
+#pragma once
+/// What a user may choose about the path integrator.
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace steradian {
+
+/// Where directions towards light come from. Point, spot and distant lights cannot be hit: every strategy samples them.
+enum class Strategy {
+  Bsdf,    ///< light is found by scattered rays only
+  Light,   ///< one point on a light per vertex; scattered rays count emission only after lobes that lights cannot
+           ///< be sampled for: Dirac ones, and metal with fuzz < 1, whose variance would be infinite
+  Mis,     ///< both, weighted by the power heuristic (Veach 1997, 9.2)
+  Mixture  ///< one direction per vertex from a mixture of sampling targets and BSDF ("The Rest of Your Life", 10-12)
+};
+
+/// Which density proposes scattered directions for the continuous lobes. The estimate stays right with each of them;
+/// only the noise differs ("The Rest of Your Life", 6).
+enum class ScatterPdf {
+  Bsdf,        ///< the material's own
+  Cosine,      ///< cos/pi about the shading normal, on the side of wo
+  Hemisphere,  ///< 1/(2 pi), likewise
+  Sphere       ///< 1/(4 pi)
+};
+
+struct PathSettings {
+  static constexpr std::uint32_t kDeepest = 100000, kMostLightSamples = 1024;
+
+  Strategy strategy = Strategy::Mis;
+  ScatterPdf scatterPdf = ScatterPdf::Bsdf;
+  /// Shadow rays per vertex, 1..kMostLightSamples.
+  std::uint32_t lightSamples = 1;
+  /// Roulette begins with the ray that leaves the vertex after so many bounces, up to
+  /// kDeepest.
+  std::uint32_t rouletteStart = 8;
+  /// s in [0, 1]. A path goes on with probability 1 - s (1 - min(1, t)), t being the largest channel of its throughput
+  /// without the scaling that refraction brings. 0: no roulette; 1: as probable as it is bright.
+  float rouletteStrength = 1.0f;
+  /// Bounces up to kDeepest, 0 for emission only; nothing: as the scene says.
+  std::optional<std::uint32_t> maxDepth;
+  /// Mixture: the probability of choosing a target, in [0, 1]. With 1, light from elsewhere is lost.
+  float targetWeight = 0.5f;
+  /// Mixture: names of shapes and `lights`; none: those that the scene flags, or else its lights.
+  std::vector<std::string> targets;
+};
+
+}  // namespace steradian

@@ -1,0 +1,85 @@
+#pragma once
+/// What the passes of one render have in common.
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <mutex>
+#include <stop_token>
+#include <vector>
+
+#include "steradian/core/camera.h"
+#include "steradian/core/film.h"
+#include "steradian/core/filter.h"
+#include "steradian/core/sampler.h"
+#include "steradian/integrators/render_statistics.h"
+
+namespace steradian {
+
+class Scene;
+
+struct RenderProgress {
+  double fraction = 0.0;              ///< done, 0..1: of the samples, or of the time limit if that is nearer its end
+  double seconds = 0.0;               ///< since render() was called
+  std::uint64_t samples = 0;          ///< done, over all pixels
+  std::uint32_t samplesPerPixel = 0;  ///< that every pixel has
+};
+/// Called after each tile by the thread that rendered it, never by two at once; the fraction never falls. Keep it
+/// short: the others wait.
+using ProgressCallback = std::function<void(const RenderProgress&)>;
+
+/// Collects what tiles did, passes it on, and carries the wish to stop to them. Shared by all threads of a render.
+class RenderMonitor {
+ public:
+  /// Turns counts into progress; called with the lock held.
+  using Report = std::function<void(std::uint64_t samples)>;
+
+  RenderMonitor(std::stop_token stop, Report report) : stop_(std::move(stop)), report_(std::move(report)) {}
+
+  bool stopRequested() const { return stop_.stop_requested(); }
+  /// `samples` more samples are in the film.
+  void finishedTile(std::uint64_t samples, const PathCounts& counts);
+
+  // The following must not run while a pass does.
+  std::uint64_t samples() const { return samples_; }
+  const PathCounts& counts() const { return counts_; }
+
+ private:
+  std::stop_token stop_;
+  Report report_;
+  std::mutex mutex_;
+  std::uint64_t samples_ = 0;
+  PathCounts counts_;
+};
+
+/// Samples first, ..., end - 1 of every pixel.
+struct PassRange {
+  std::uint32_t first = 0, end = 0;
+  std::uint32_t count() const { return end - first; }
+};
+
+/// A camera ray; what it finds is multiplied by `weight`.
+struct WeightedRay {
+  Ray<float> ray;
+  float weight;
+};
+
+struct RenderJob {
+  const Scene& scene;
+  const Camera& camera;
+  const Filter& filter;
+  SamplerSettings samplerSettings;
+  int width;  ///< of the full picture
+  int tileSize;
+  RenderMonitor& monitor;
+
+  /// What the sampler knows pixel (x, y) by: its place in the full picture.
+  std::uint32_t pixelKey(int x, int y) const {
+    return static_cast<std::uint32_t>(y) * static_cast<std::uint32_t>(width) + static_cast<std::uint32_t>(x);
+  }
+  WeightedRay cameraRay(int x, int y, const Sampler<float>& sampler) const;
+};
+
+/// The crop cut into squares of edge `size`, row by row; those at the right and bottom edge may be smaller.
+std::vector<Crop> tilesOf(const Crop& crop, int size);
+
+}  // namespace steradian

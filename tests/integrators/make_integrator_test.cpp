@@ -1,0 +1,109 @@
+#include "steradian/integrators/make_integrator.h"
+
+#include <gtest/gtest.h>
+
+#include "steradian/integrators/path.h"
+
+namespace steradian {
+namespace {
+
+PathSettings pathSettings(std::string_view spec) {
+  const std::unique_ptr<Integrator> integrator = makeIntegrator(spec);
+  const auto* path = dynamic_cast<const PathIntegrator*>(integrator.get());
+  if (path == nullptr) throw Error(ErrorKind::Other, "not a path integrator");
+  return path->settings();
+}
+
+std::vector<Diagnostic> mistakesIn(std::string_view spec) {
+  try {
+    makeIntegrator(spec);
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::Usage);
+    return {error.diagnostics().begin(), error.diagnostics().end()};
+  }
+  return {};
+}
+
+TEST(MakeIntegrator, DefaultsAreThoseOfTheSettings) {
+  const PathSettings given = pathSettings("path"), expected;
+  EXPECT_EQ(given.strategy, expected.strategy);
+  EXPECT_EQ(given.lightSamples, expected.lightSamples);
+  EXPECT_EQ(given.maxDepth, std::nullopt);
+  EXPECT_EQ(given.rouletteStart, 8u);
+}
+
+TEST(MakeIntegrator, ReadsEveryKeyOfPath) {
+  const PathSettings s = pathSettings(
+      "path:strategy=mixture:max-depth=0:light-samples=4:scatter-pdf=hemisphere:roulette-start=3:roulette-strength=0.5:"
+      "target-weight=0.25:targets=lamp,glass ball");
+  EXPECT_EQ(s.strategy, Strategy::Mixture);
+  EXPECT_EQ(s.maxDepth, 0u);
+  EXPECT_EQ(s.lightSamples, 4u);
+  EXPECT_EQ(s.scatterPdf, ScatterPdf::Hemisphere);
+  EXPECT_EQ(s.rouletteStart, 3u);
+  EXPECT_EQ(s.rouletteStrength, 0.5f);
+  EXPECT_EQ(s.targetWeight, 0.25f);
+  EXPECT_EQ(s.targets, (std::vector<std::string>{"lamp", "glass ball"}));
+}
+
+TEST(MakeIntegrator, EveryNameOfTheRegistryCanBeMade) {
+  for (const IntegratorInfo& info : integratorRegistry()) {
+    EXPECT_NE(makeIntegrator(info.name), nullptr) << info.name;
+    EXPECT_FALSE(info.help.empty());
+  }
+}
+
+TEST(MakeIntegrator, TheRegistryNamesExactlyTheKeysThatAreRead) {
+  // A value that no key accepts is reported as such, unless nothing reads the key.
+  for (const IntegratorInfo& info : integratorRegistry()) {
+    for (const IntegratorKey& key : info.keys) {
+      const bool ofMixture = key.help.starts_with("mixture: ");
+      const std::string spec =
+          std::string(info.name) + (ofMixture ? ":strategy=mixture:" : ":") + std::string(key.name) + "=,";
+      const std::vector<Diagnostic> mistakes = mistakesIn(spec);
+      ASSERT_EQ(mistakes.size(), 1u) << spec;
+      EXPECT_NE(mistakes[0].message.find(" must be "), std::string::npos) << mistakes[0].message;
+    }
+  }
+}
+
+TEST(MakeIntegrator, ReportsAllMistakesAtOnceWithSuggestions) {
+  const auto mistakes =
+      mistakesIn("path:stratgy=mis:max-depth=-1:scatter-pdf=cosin:oops:light-samples=2:light-samples=3");
+  ASSERT_EQ(mistakes.size(), 5u);
+  const auto mention = [&](std::string_view text, std::string_view suggestion) {
+    for (const Diagnostic& d : mistakes) {
+      if (d.message.find(text) != std::string::npos && d.suggestion == suggestion) return true;
+    }
+    return false;
+  };
+  EXPECT_TRUE(mention("\"stratgy\"", "strategy"));
+  EXPECT_TRUE(mention("max-depth must be a whole number", ""));
+  EXPECT_TRUE(mention("scatter-pdf must be", "cosine"));
+  EXPECT_TRUE(mention("\"oops\"", ""));
+  EXPECT_TRUE(mention("\"light-samples\" is given twice", ""));
+}
+
+TEST(MakeIntegrator, SuggestsANameForAnUnknownOne) {
+  const auto mistakes = mistakesIn("pth:strategy=mis");
+  ASSERT_EQ(mistakes.size(), 1u);
+  EXPECT_EQ(mistakes[0].suggestion, "path");
+}
+
+TEST(MakeIntegrator, RefusesNumbersThatMakeNoSense) {
+  for (const char* bad :
+       {"path:light-samples=0", "path:light-samples=2000", "path:max-depth=1e3",
+        "path:max-depth=", "path:strategy=mixture:target-weight=nan", "path:strategy=mixture:target-weight=1.01",
+        "path:roulette-strength=-0.1", "ambient-occlusion:distance=0", "ambient-occlusion:distance=nan",
+        "normals:distance=1", "path:strategy=mixture:targets=a,,b", "path:=3", ""}) {
+    EXPECT_EQ(mistakesIn(bad).size(), 1u) << bad;
+  }
+}
+
+TEST(MakeIntegrator, RefusesTargetsWithoutTheMixture) {
+  EXPECT_EQ(mistakesIn("path:targets=lights:target-weight=0.5").size(), 2u);
+  EXPECT_EQ(mistakesIn("path:strategy=light:targets=lights").size(), 1u);
+}
+
+}  // namespace
+}  // namespace steradian
