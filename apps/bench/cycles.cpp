@@ -1,0 +1,183 @@
+#include "steradian/apps/bench/cycles.h"
+
+#include <fmt/format.h>
+#include <stdlib.h>  // mkdtemp
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "steradian/apps/bench/contender.h"
+#include "steradian/apps/bench/machine.h"
+#include "steradian/apps/scenes/scenes.h"
+#include "steradian/core/image_metrics.h"
+
+namespace steradian::bench {
+namespace {
+
+constexpr std::uint32_t kSamplesPerPixel = 64;
+
+/// A folder that disappears with this object.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "steradian-bench-XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr) throw Error(ErrorKind::Output, "cannot make the folder " + name);
+    path_ = name;
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// The mean of two independent pictures and the standard error of that mean: half their difference.
+struct Reference {
+  Image mean, standardError;
+};
+
+Reference referenceOf(const Image& a, const Image& b) {
+  Reference reference{Image(a.width(), a.height(), {"R", "G", "B"}), Image(a.width(), a.height(), {"R", "G", "B"})};
+  for (const char* name : {"R", "G", "B"}) {
+    const int to = reference.mean.channel(name), fromA = a.channel(name), fromB = b.channel(name);
+    for (int y = 0; y < a.height(); ++y) {
+      for (int x = 0; x < a.width(); ++x) {
+        const float p = a.at(x, y, fromA), q = b.at(x, y, fromB);
+        reference.mean.at(x, y, to) = 0.5f * (p + q);
+        reference.standardError.at(x, y, to) = 0.5f * std::abs(p - q);
+      }
+    }
+  }
+  return reference;
+}
+
+/// What one renderer achieved; medians.
+struct Result {
+  double seconds, relMse, efficiency, mean;
+};
+
+/// One renderer's reference, and its runs so far. Its error is that against its own reference: modelling a scene a
+/// little differently shall not count as noise.
+class Entrant {
+ public:
+  Entrant(Contender& contender, const BenchOptions& options)
+      : contender_(contender), reference_(makeReference(contender, options.referenceSamples)) {}
+
+  void run(std::uint32_t samplesPerPixel, std::uint32_t seed) {
+    const TimedPicture picture = contender_.render(samplesPerPixel, seed);
+    const double error = relMSE(picture.image, reference_.mean, &reference_.standardError);
+    seconds_.push_back(picture.seconds);
+    errors_.push_back(error);
+    efficiencies_.push_back(1.0 / (error * picture.seconds));
+  }
+
+  Result result() const {
+    const std::array<double, 3> means = channelMeans(reference_.mean);
+    return {median(seconds_), median(errors_), median(efficiencies_), (means[0] + means[1] + means[2]) / 3.0};
+  }
+
+ private:
+  static Reference makeReference(Contender& contender, std::uint32_t samplesPerPixel) {
+    constexpr std::uint32_t seed = 1000;  // that no run has
+    const Image first = contender.render(samplesPerPixel, seed).image;
+    return referenceOf(first, contender.render(samplesPerPixel, seed + 1).image);
+  }
+
+  Contender& contender_;
+  Reference reference_;
+  std::vector<double> seconds_, errors_, efficiencies_;
+};
+
+struct Comparison {
+  std::string scene;
+  double samples;  ///< of one run
+  Result ours, theirs;
+
+  double sampleRateRatio() const { return theirs.seconds / ours.seconds; }
+  double efficiencyRatio() const { return ours.efficiency / theirs.efficiency; }
+  double meanRatio() const { return ours.mean / theirs.mean; }
+};
+
+Comparison compare(const std::string& name, const BenchOptions& options) {
+  const SceneDescription scene = makeScene(name);
+  const TemporaryFolder folder;
+  Steradian steradian(scene, options);
+  Cycles cycles(scene, options, folder.path());
+  Entrant ours(steradian, options), theirs(cycles, options);
+  const std::uint32_t spp = options.samplesPerPixel.value_or(kSamplesPerPixel);
+  for (int i = 0; i < options.repeats; ++i) {
+    const auto seed = static_cast<std::uint32_t>(i);
+    ours.run(spp, seed);
+    theirs.run(spp, seed);
+  }
+  const double samples = static_cast<double>(options.width) * options.height * spp;
+  return {name, samples, ours.result(), theirs.result()};
+}
+
+void printComparison(const Comparison& c) {
+  const auto row = [&](const char* renderer, const Result& r) {
+    fmt::print("| {} | {} | {:.2f} | {:.2f} | {:.5f} | {:.0f} |\n", c.scene, renderer, r.seconds,
+               c.samples / r.seconds / 1e6, r.relMse, r.efficiency);
+  };
+  row("Steradian", c.ours);
+  row("Cycles", c.theirs);
+  fmt::print("| {} | **ratio** | | **{:.2f}** | | **{:.2f}** |\n", c.scene, c.sampleRateRatio(), c.efficiencyRatio());
+  std::fflush(stdout);
+}
+
+nlohmann::json toJson(const Comparison& c) {
+  const auto result = [&](const Result& r) {
+    return nlohmann::json{{"sample_seconds", r.seconds},
+                          {"samples_per_second", c.samples / r.seconds},
+                          {"rel_mse", r.relMse},
+                          {"efficiency", r.efficiency},
+                          {"reference_mean", r.mean}};
+  };
+  return {{"scene", c.scene},
+          {"steradian", result(c.ours)},
+          {"cycles", result(c.theirs)},
+          {"sample_rate_ratio", c.sampleRateRatio()},
+          {"efficiency_ratio", c.efficiencyRatio()},
+          {"mean_ratio", c.meanRatio()}};
+}
+
+}  // namespace
+
+void runCycles(const BenchOptions& options) {
+  if (!Cycles::available()) throw Error(ErrorKind::Usage, "there is no blender (Debian: apt-get install blender)");
+  const std::vector<std::string> scenes =
+      options.scenes.empty() ? std::vector<std::string>{"cornell-box", "cornell-glass-sphere"} : options.scenes;
+  if (!options.json) {
+    fmt::print(
+        "\nBeside Blender's Cycles, {} x {}, {} spp, {} threads, medians of {}\n\n"
+        "| scene | renderer | sampling s | Msamples/s | relMSE | 1/(relMSE s) |\n|---|---|---|---|---|---|\n",
+        options.width, options.height, options.samplesPerPixel.value_or(kSamplesPerPixel), options.threads,
+        options.repeats);
+    std::fflush(stdout);
+  }
+  std::vector<Comparison> comparisons;
+  nlohmann::json rows = nlohmann::json::array();
+  for (const std::string& scene : scenes) {
+    comparisons.push_back(compare(scene, options));
+    rows.push_back(toJson(comparisons.back()));
+    if (!options.json) printComparison(comparisons.back());
+  }
+  if (options.json) {
+    fmt::print("{}\n", nlohmann::json{{"machine", machineLine()}, {"cycles", rows}}.dump(1));
+    return;
+  }
+  fmt::print("\nMeans of the references, ours over theirs:");
+  for (const Comparison& c : comparisons) fmt::print(" {} {:.4f}", c.scene, c.meanRatio());
+  fmt::print("\n");
+}
+
+}  // namespace steradian::bench

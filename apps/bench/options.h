@@ -1,0 +1,32 @@
+#pragma once
+/// What the user may ask the benchmarks for.
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace steradian::bench {
+
+enum class Part {
+  Micro,    ///< single routines
+  Renders,  ///< whole renders against the speed of tracing alone
+  Cycles    ///< whole renders beside Blender's Cycles
+};
+
+struct BenchOptions {
+  std::vector<Part> parts;
+  std::vector<std::string> scenes;  ///< empty: those that each part takes by itself
+  int width = 300, height = 300;
+  std::optional<std::uint32_t> samplesPerPixel;  ///< nothing: as each part takes by itself
+  std::uint32_t referenceSamples = 512;          ///< Cycles: per pixel, of each half of a reference
+  int threads = 1;
+  int repeats = 3;  ///< figures are medians of so many runs
+  bool json = false;
+  std::string cyclesScript = "apps/bench/cycles_scene.py";
+  std::vector<std::string> forMicro;  ///< options that begin with --benchmark_
+};
+
+/// Reads the command line. Throws steradian::Error (Usage) with all that is wrong with it, CLI::Success after --help.
+BenchOptions readOptions(int argc, char** argv);
+
+}  // namespace steradian::bench

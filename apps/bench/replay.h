@@ -1,0 +1,16 @@
+#pragma once
+/// How fast rays can be traced if nothing else is done.
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "steradian/accel/geometry.h"
+#include "steradian/integrators/record_rays.h"
+
+namespace steradian::bench {
+
+/// Asks the geometry about all rays in their order, cut into runs that the caller's arena shares out as a render does
+/// its tiles. Returns the number of hits, so that no query is in vain.
+std::uint64_t replay(const Geometry& geometry, std::span<const RecordedRay> rays);
+
+}  // namespace steradian::bench

@@ -1,0 +1,48 @@
+/// "Ray Tracing: The Next Week" v4.
+#include "steradian/apps/scenes/builders.h"
+
+namespace steradian::scenes {
+
+SceneDescription quads() {
+  SceneDescription scene;
+  const auto add = [&](const char* name, Vec3f corner, Vec3f u, Vec3f v, Rgb reflectance) {
+    QuadSet set;
+    set.add(corner, u, v);
+    scene.addShape(name, std::move(set), scene.addMaterial(name, LambertMaterial{scene.addColour(reflectance)}));
+  };
+  add("left red", {-3.0f, -2.0f, 5.0f}, {0.0f, 0.0f, -4.0f}, {0.0f, 4.0f, 0.0f}, {1.0f, 0.2f, 0.2f});
+  add("back green", {-2.0f, -2.0f, 0.0f}, {4.0f, 0.0f, 0.0f}, {0.0f, 4.0f, 0.0f}, {0.2f, 1.0f, 0.2f});
+  add("right blue", {3.0f, -2.0f, 1.0f}, {0.0f, 0.0f, 4.0f}, {0.0f, 4.0f, 0.0f}, {0.2f, 0.2f, 1.0f});
+  add("upper orange", {-2.0f, 3.0f, 1.0f}, {4.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 4.0f}, {1.0f, 0.5f, 0.0f});
+  add("lower teal", {-2.0f, -3.0f, 5.0f}, {4.0f, 0.0f, 0.0f}, {0.0f, 0.0f, -4.0f}, {0.2f, 0.8f, 0.8f});
+  scene.addLight("sky", ConstantSky{{0.7f, 0.8f, 1.0f}});
+  scene.camera = PerspectiveCamera{.lookFrom = {0.0f, 0.0f, 9.0f}, .lookAt = {0.0f, 0.0f, 0.0f}, .verticalFov = 80.0f};
+  scene.defaults = {.width = 400, .height = 400, .samplesPerPixel = 100, .maxDepth = 49};
+  return scene;
+}
+
+SceneDescription simpleLight() {
+  SceneDescription scene;
+  const Id even = scene.addColour({0.2f, 0.3f, 0.1f}), odd = scene.addColour({0.9f, 0.9f, 0.9f});
+  const Id checker = scene.addTexture(CheckerTexture{.even = even, .odd = odd, .scale = 0.32f});
+  const Id ground = scene.addMaterial("checkered", LambertMaterial{checker});
+  SphereSet spheres;
+  spheres.add({0.0f, -1000.0f, 0.0f}, 1000.0f);
+  spheres.add({0.0f, 2.0f, 0.0f}, 2.0f);
+  scene.addShape("spheres", std::move(spheres), ground);
+
+  const Id black = scene.addMaterial("light", AbsorberMaterial{});
+  const SurfaceEmission emission{{4.0f, 4.0f, 4.0f}, true};
+  SphereSet sphereLight;
+  sphereLight.add({0.0f, 7.0f, 0.0f}, 2.0f);
+  scene.setEmission(scene.addShape("sphere light", std::move(sphereLight), black), emission);
+  QuadSet quadLight;
+  quadLight.add({3.0f, 1.0f, -2.0f}, {2.0f, 0.0f, 0.0f}, {0.0f, 2.0f, 0.0f});
+  scene.setEmission(scene.addShape("quad light", std::move(quadLight), black), emission);
+
+  scene.camera = PerspectiveCamera{.lookFrom = {26.0f, 3.0f, 6.0f}, .lookAt = {0.0f, 2.0f, 0.0f}, .verticalFov = 20.0f};
+  scene.defaults = {.width = 400, .height = 225, .samplesPerPixel = 100, .maxDepth = 49};
+  return scene;
+}
+
+}  // namespace steradian::scenes

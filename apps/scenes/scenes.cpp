@@ -1,0 +1,90 @@
+#include "steradian/apps/scenes/scenes.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <string>
+#include <vector>
+
+#include "steradian/apps/scenes/builders.h"
+
+namespace steradian {
+
+namespace {
+
+struct Entry {
+  SceneInfo info;
+  SceneDescription (*fixed)();
+  SceneDescription (*counted)(std::uint32_t);
+  std::uint32_t limit;  ///< largest N
+};
+
+constexpr std::array kEntries{
+    Entry{{"one-weekend", "the cover of book 1: 484 spheres under the sky, thin lens"}, scenes::oneWeekend, nullptr, 0},
+    Entry{{"one-weekend-materials", "book 1: matte, hollow glass and fuzzy metal spheres, defocus blur"},
+          scenes::oneWeekendMaterials,
+          nullptr,
+          0},
+    Entry{{"quads", "book 2: five coloured quads around the camera"}, scenes::quads, nullptr, 0},
+    Entry{
+        {"simple-light", "book 2: a sphere and a quad light over a checkered ground"}, scenes::simpleLight, nullptr, 0},
+    Entry{
+        {"cornell-original", "book 2: the Cornell box with its two-sided light"}, scenes::cornellOriginal, nullptr, 0},
+    Entry{{"cornell-box", "book 3: the Cornell box, light facing down"}, scenes::cornellBox, nullptr, 0},
+    Entry{{"cornell-aluminium", "book 3: the tall box of aluminium"}, scenes::cornellAluminium, nullptr, 0},
+    Entry{{"cornell-glass-sphere", "book 3: a glass sphere; it and the light are sampling targets"},
+          scenes::cornellGlassSphere,
+          nullptr,
+          0},
+    Entry{{"cornell-city:N", "N boxes on the floor of the Cornell room"}, nullptr, scenes::cornellCity, 200'000'000},
+    Entry{{"cornell-tower:N", "N Cornell rooms, side by side and stacked, each with its light"},
+          nullptr,
+          scenes::cornellTower,
+          1'000'000},
+};
+
+constexpr auto kInfos = [] {
+  std::array<SceneInfo, kEntries.size()> infos{};
+  std::transform(kEntries.begin(), kEntries.end(), infos.begin(), [](const Entry& e) { return e.info; });
+  return infos;
+}();
+
+std::string_view stemOf(std::string_view name) { return name.substr(0, name.find(':')); }
+
+[[noreturn]] void throwUnknown(std::string_view spec) {
+  std::vector<std::string> names;
+  for (const SceneInfo& info : kInfos) names.emplace_back(stemOf(info.name));
+  Diagnostic unknown;
+  unknown.message = "unknown scene \"" + std::string(spec) + "\"; `steradian scenes` lists them";
+  unknown.suggestion = didYouMean(stemOf(spec), names);
+  throw Error(ErrorKind::Usage, unknown);
+}
+
+std::uint32_t parseCount(std::string_view spec, const Entry& entry) {
+  const std::string_view stem = stemOf(entry.info.name);
+  const std::string_view text = spec.size() > stem.size() ? spec.substr(stem.size() + 1) : std::string_view{};
+  std::uint32_t count = 0;
+  const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), count);
+  if (text.empty() || failure != std::errc{} || end != text.data() + text.size() || count < 1 || count > entry.limit)
+    throw Error(ErrorKind::Usage, "scene \"" + std::string(spec) + "\": " + std::string(entry.info.name) +
+                                      " needs a whole number N from 1 to " + std::to_string(entry.limit));
+  return count;
+}
+
+}  // namespace
+
+std::span<const SceneInfo> builtInScenes() { return kInfos; }
+
+SceneDescription makeScene(std::string_view spec) {
+  for (const Entry& entry : kEntries) {
+    if (stemOf(spec) != stemOf(entry.info.name)) continue;
+    if (entry.fixed != nullptr && spec != entry.info.name)
+      throw Error(ErrorKind::Usage, "scene \"" + std::string(entry.info.name) + "\" takes no count");
+    SceneDescription scene = entry.fixed != nullptr ? entry.fixed() : entry.counted(parseCount(spec, entry));
+    scene.name = spec;
+    return scene;
+  }
+  throwUnknown(spec);
+}
+
+}  // namespace steradian

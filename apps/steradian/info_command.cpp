@@ -1,0 +1,89 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "steradian/apps/scenes/scenes.h"
+#include "steradian/apps/steradian/commands.h"
+#include "steradian/apps/steradian/console.h"
+#include "steradian/apps/steradian/exit_codes.h"
+#include "steradian/apps/steradian/memory_check.h"
+#include "steradian/apps/steradian/render_report.h"
+#include "steradian/apps/steradian/scene_json.h"
+#include "steradian/integrators/scene.h"
+
+namespace steradian::app {
+
+namespace {
+
+struct InfoArguments {
+  std::string scene;
+  bool json = false;
+};
+
+/// How often each shape is there: once, or as often as its group.
+std::vector<std::uint64_t> timesOf(const SceneDescription& scene) {
+  std::vector<std::uint64_t> times(scene.shapes.size(), 1);
+  for (const Group& group : scene.groups)
+    for (const Id id : group.shapes) times[id] = 0;
+  for (const InstanceSet& set : scene.instances)
+    for (const Id id : scene.groups[set.group].shapes) times[id] += set.transforms.size();
+  return times;
+}
+
+std::string describe(const SceneDescription& scene) {
+  std::string text = scene.name + "\n  primitives: ";
+  const char* separator = "";
+  for (const auto& [kind, count] : countPrimitives(scene)) {
+    text += fmt::format("{}{} {}", separator, kind, count);
+    separator = ", ";
+  }
+  const std::vector<std::uint64_t> times = timesOf(scene);
+  std::uint64_t emitters = 0;
+  std::string targets;
+  for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
+    const ShapeDescription& shape = scene.shapes[i];
+    if (shape.emission != kNone) emitters += times[i] * primitiveCount(shape.geometry);
+    if (shape.target) targets += fmt::format("{}\"{}\"", targets.empty() ? "" : ", ", shape.name);
+  }
+  text += fmt::format("\n  materials:  {}\n  lights:     {} emitting primitives, {} others\n", scene.materials.size(),
+                      emitters, scene.lights.size());
+  if (!targets.empty()) text += "  targets:    " + targets + "\n";
+  const RenderDefaults& d = scene.defaults;
+  return text + fmt::format("  defaults:   {}x{}, {} samples per pixel, max depth {}\n", d.width, d.height,
+                            d.samplesPerPixel, d.maxDepth);
+}
+
+int printInfo(const InfoArguments& given) {
+  SceneDescription description = makeScene(given.scene);
+  if (given.json) {
+    printOut(toJson(description).dump(1) + "\n");
+    return kExitSuccess;
+  }
+  checkMemory(description, availableMemory());
+  const std::string text = describe(description);
+  const Scene scene(std::move(description));
+  printOut(text + "  geometry:   " + geometrySummary(scene.geometry().statistics()) + "\n");
+  return kExitSuccess;
+}
+
+}  // namespace
+
+void addInfoCommand(CLI::App& app, Run& run) {
+  CLI::App* command = app.add_subcommand("info", "Say what is in a scene");
+  auto given = std::make_shared<InfoArguments>();
+  command->add_option("scene", given->scene, "a built-in scene (see `steradian scenes`)")->required();
+  command->add_flag("--json", given->json,
+                    "print primitives, materials, lights and camera as JSON, complete enough to build the same scene");
+  command->callback([&run, given] {
+    run = [given](Arguments& arguments) {
+      arguments.throwIfProblems();
+      return printInfo(*given);
+    };
+  });
+}
+
+}  // namespace steradian::app

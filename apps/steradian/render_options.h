@@ -1,0 +1,59 @@
+#pragma once
+/// The options of `steradian render`, as text from the command line and as checked values.
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "steradian/apps/steradian/arguments.h"
+#include "steradian/core/description.h"
+#include "steradian/core/display.h"
+#include "steradian/core/image_io.h"
+#include "steradian/integrators/render_settings.h"
+
+namespace CLI {
+class App;
+}
+
+namespace steradian::app {
+
+/// What the user typed; nothing: the option was not given.
+struct RenderTexts {
+  std::string scene;
+  std::vector<std::string> outputs;
+  std::optional<std::string> size, samples, time, seed, threads, crop, tileSize;
+  std::optional<std::string> sampler, filter, replicates;
+  std::optional<std::string> integrator, strategy, maxDepth, targets;
+  std::optional<std::string> format, display, view, exposure;
+  std::optional<std::string> statistics;
+  bool quiet = false, verbose = false;
+};
+
+struct Output {
+  std::filesystem::path path;
+  ImageFormat format;
+};
+
+enum class StatisticsFormat { None, Text, Json };
+
+struct RenderOptions {
+  SceneDescription scene;
+  std::vector<Output> outputs;
+  RenderSettings settings;
+  std::string integrator;          ///< a complete spec
+  std::string replay;              ///< the options, as typed, that choose the samples of a pixel
+  int threads = 0;                 ///< 0: all processors
+  std::optional<Display> display;  ///< if an output is display-referred
+  DisplaySettings view;            ///< of display-referred outputs
+  StatisticsFormat statistics = StatisticsFormat::None;
+  bool quiet = false, verbose = false;
+};
+
+/// Declares the options on `command`, with a footer that lists integrators and views.
+void declareRenderOptions(CLI::App& command, RenderTexts& texts);
+
+/// Checks everything that can be checked before the scene is built. Throws Error (Usage) with all problems at once,
+/// those that `arguments` has already among them.
+RenderOptions checkRenderOptions(const RenderTexts& texts, Arguments& arguments);
+
+}  // namespace steradian::app
