@@ -135,8 +135,4 @@ double zTestPValue(double estimate, double standardError, double expected, doubl
   return normalPValue((difference - roundoffFloor) / standardError);
 }
 
-double RunningMean::standardError() const {
-  return count_ > 0 ? std::sqrt(variance() / static_cast<double>(count_)) : 0.0;
-}
-
 }  // namespace steradian::test

@@ -14,6 +14,7 @@
 #include <span>
 #include <vector>
 
+#include "steradian/core/running_mean.h"
 #include "steradian/core/scattering.h"
 
 namespace steradian::test {
@@ -55,24 +56,7 @@ ChiSquare chiSquareUniform(std::span<const double> observed);
 /// (absolute) do not count: no estimate is better than the arithmetic it was made with.
 double zTestPValue(double estimate, double standardError, double expected, double roundoffFloor);
 
-/// Mean and its standard error, one value at a time (Welford 1962).
-class RunningMean {
- public:
-  void add(double x) {
-    ++count_;
-    const double d = x - mean_;
-    mean_ += d / static_cast<double>(count_);
-    squares_ += d * (x - mean_);
-  }
-  std::int64_t count() const { return count_; }
-  double mean() const { return mean_; }
-  double variance() const { return count_ > 1 ? squares_ / static_cast<double>(count_ - 1) : 0.0; }
-  double standardError() const;
-
- private:
-  std::int64_t count_ = 0;
-  double mean_ = 0.0, squares_ = 0.0;
-};
+using steradian::RunningMean;
 
 // --- Quadrature -------------------------------------------------------------------------------------------------
 

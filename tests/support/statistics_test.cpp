@@ -74,14 +74,6 @@ TEST(Statistics, UniformityAcceptsAnEvenGridAndRejectsASquare) {
   EXPECT_LT(uniformityPValue(square), 1e-6);
 }
 
-TEST(Statistics, RunningMeanIsMeanAndStandardError) {
-  RunningMean mean;
-  for (const double x : {1.0, 2.0, 3.0, 6.0}) mean.add(x);
-  EXPECT_DOUBLE_EQ(mean.mean(), 3.0);
-  EXPECT_DOUBLE_EQ(mean.variance(), 14.0 / 3.0);
-  EXPECT_DOUBLE_EQ(mean.standardError(), std::sqrt(14.0 / 12.0));
-}
-
 TEST(Quadrature, IntegratesSmoothAndDiscontinuousFunctions) {
   EXPECT_NEAR(integrate([](double x, double y) { return x * x * y; }, {0.0, 3.0, 1.0, 2.0}), 13.5, 1e-12);
   EXPECT_NEAR(integrate([](double x, double y) { return std::exp(-x * x - y * y); }, {-6.0, 6.0, -6.0, 6.0}), kPiDouble,
