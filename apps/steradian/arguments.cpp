@@ -28,6 +28,18 @@ void Arguments::problem(std::string message, std::string suggestion) {
   problems_.error({}, std::move(message), std::move(suggestion));
 }
 
+void Arguments::unexpected(const std::vector<std::string>& words, const std::vector<std::string>& known) {
+  bool afterOption = false;
+  for (const std::string& word : words) {
+    const bool isOption = word.size() > 1 && word.front() == '-';
+    if (isOption || !afterOption) {
+      const std::string name = word.substr(0, word.find('='));
+      problem(fmt::format("unexpected argument \"{}\"", word), didYouMean(name, known));
+    }
+    afterOption = isOption && word.find('=') == std::string::npos;
+  }
+}
+
 std::uint32_t Arguments::whole(std::string_view option, const std::string& text, std::uint32_t low,
                                std::uint32_t high) {
   const auto value = parse<std::uint32_t>(text);

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "steradian/core/diagnostics.h"
 #include "steradian/core/film.h"
@@ -29,6 +30,9 @@ class Arguments {
 
   /// `suggestion`: the word that the user may have meant, or nothing.
   void problem(std::string message, std::string suggestion = {});
+  /// Adds a problem for each word that nobody knows, but not for the values of options that nobody knows. `known`: what
+  /// may have been meant.
+  void unexpected(const std::vector<std::string>& words, const std::vector<std::string>& known);
   /// Throws Error (Usage) if there was any problem.
   void throwIfProblems() const { problems_.throwIfErrors(ErrorKind::Usage); }
 

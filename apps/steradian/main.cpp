@@ -2,15 +2,13 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <csignal>
-#include <exception>
-#include <new>
 #include <string>
 #include <vector>
 
 #include "steradian/apps/steradian/commands.h"
 #include "steradian/apps/steradian/console.h"
 #include "steradian/apps/steradian/exit_codes.h"
+#include "steradian/apps/steradian/program.h"
 #include "steradian/core/diagnostics.h"
 
 namespace {
@@ -42,19 +40,6 @@ std::vector<std::string> knownWords(CLI::App& app) {
   return words;
 }
 
-/// Adds a problem for each word that nobody knows, but not for the values of options that nobody knows.
-void complain(const std::vector<std::string>& unknown, const std::vector<std::string>& known, Arguments& arguments) {
-  bool afterOption = false;
-  for (const std::string& word : unknown) {
-    const bool isOption = word.size() > 1 && word.front() == '-';
-    if (isOption || !afterOption) {
-      const std::string name = word.substr(0, word.find('='));
-      arguments.problem(fmt::format("unexpected argument \"{}\"", word), didYouMean(name, known));
-    }
-    afterOption = isOption && word.find('=') == std::string::npos;
-  }
-}
-
 void printHint(CLI::App& app) {
   printErr(fmt::format("Try `steradian {}--help`.\n", &chosen(app) == &app ? "" : chosen(app).get_name() + " "));
 }
@@ -62,7 +47,7 @@ void printHint(CLI::App& app) {
 /// CLI11's complaints are about what it was told to find: a command, arguments, values of options.
 int reportUsage(CLI::App& app, const CLI::ParseError& problem, Arguments& arguments) {
   const std::vector<std::string> unknown = app.remaining(true);
-  complain(unknown, knownWords(app), arguments);
+  arguments.unexpected(unknown, knownWords(app));
   if (unknown.empty()) {
     const bool noCommand = &chosen(app) == &app;
     arguments.problem(noCommand ? "a command is needed: render, scenes, info or diff" : problem.what());
@@ -107,7 +92,7 @@ int runProgram(int argc, char** argv) {
     return reportUsage(app, problem, arguments);
   }
   const std::vector<std::string> unknown = app.remaining(true);
-  complain(unknown, knownWords(app), arguments);
+  arguments.unexpected(unknown, knownWords(app));
   try {
     return run(arguments);
   } catch (const Error& error) {
@@ -120,20 +105,5 @@ int runProgram(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  openMissingStreams();
-  // A limit on file size or a closed pipe must end in an error message, not in a dead process.
-  std::signal(SIGXFSZ, SIG_IGN);
-  std::signal(SIGPIPE, SIG_IGN);
-  try {
-    return runProgram(argc, argv);
-  } catch (const Error& error) {
-    printErr(std::string(error.what()) + "\n");
-    return exitCodeOf(error.kind());
-  } catch (const std::bad_alloc&) {
-    printErr("error: out of memory\n");
-    return kExitMemory;
-  } catch (const std::exception& error) {
-    printErr(fmt::format("error: {}\n", error.what()));
-    return kExitOther;
-  }
+  return steradian::app::runMain([&] { return runProgram(argc, argv); });
 }

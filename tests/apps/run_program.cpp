@@ -54,12 +54,12 @@ void redirect(Stream stream, int descriptor, const fs::path& capture) {
     const rlimit limit{*launch.fileSizeLimit, *launch.fileSizeLimit};
     if (::setrlimit(RLIMIT_FSIZE, &limit) != 0) ::_exit(126);
   }
-  std::vector<std::string> words{"steradian"};
+  std::vector<std::string> words{fs::path(launch.program).filename()};
   words.insert(words.end(), launch.arguments.begin(), launch.arguments.end());
   std::vector<char*> pointers;
   for (std::string& word : words) pointers.push_back(word.data());
   pointers.push_back(nullptr);
-  ::execv(STERADIAN_PROGRAM, pointers.data());
+  ::execv(launch.program.c_str(), pointers.data());
   ::_exit(127);
 }
 

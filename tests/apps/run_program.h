@@ -1,5 +1,5 @@
 #pragma once
-/// Runs the program `steradian` as a user would.
+/// Runs the program `steradian`, or another one, as a user would.
 #include <sys/types.h>
 
 #include <cstdint>
@@ -18,6 +18,7 @@ struct Launch {
   Stream output = Stream::Captured, error = Stream::Captured;
   std::vector<std::string> environment{};        ///< "NAME=value", beside the inherited
   std::optional<std::uint64_t> fileSizeLimit{};  ///< bytes, as `ulimit -f` sets it
+  std::string program = STERADIAN_PROGRAM;
 };
 
 struct Outcome {
