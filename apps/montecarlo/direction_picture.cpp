@@ -52,12 +52,14 @@ void drawLatitude(Svg& svg, const Globe& globe, double z) {
 void drawGlobe(Svg& svg, const Globe& globe, SamplerType type, std::uint32_t count, std::uint32_t seed) {
   for (const double z : {-0.5, 0.0, 0.5}) drawLatitude(svg, globe, z);
   svg.circle(globe.x, globe.y, kRadius, "fill=\"none\" stroke=\"#888888\"");
-  for (std::uint32_t i = 0; i < count; ++i) {
-    const Sampler<float> point({type, seed, count}, 0u, i);
-    const Vec3f w = UniformSphere<float>::sample(point.get2D(0u));
-    const Seen p = seen(w.x, w.y, w.z);
-    svg.circle(globe.across(p), globe.down(p), p.depth > 0.0 ? 3.0 : 2.2,
-               p.depth > 0.0 ? "fill=\"#0072b2\"" : "fill=\"#a8cbe2\"");
+  for (const bool nearer : {false, true}) {
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const Sampler<float> point({type, seed, count}, 0u, i);
+      const Vec3f w = UniformSphere<float>::sample(point.get2D(0u));
+      const Seen p = seen(w.x, w.y, w.z);
+      if ((p.depth > 0.0) != nearer) continue;
+      svg.circle(globe.across(p), globe.down(p), nearer ? 3.0 : 2.2, nearer ? "fill=\"#0072b2\"" : "fill=\"#a8cbe2\"");
+    }
   }
   svg.text(globe.x, globe.y + kRadius + 26.0, 14.0, "middle", nameOf(type));
 }

@@ -50,7 +50,7 @@ std::vector<Result> runDirections(const RunSettings& settings) {
     results.back().label = std::move(label);
   };
   add(
-      "mean of z", [](double z) { return z; }, "0");
+      "mean of z", [](double z) { return z; }, "");
   add("mean of z^2", cosineSquared, "1 / 3");
   add(
       "mean of z^4", [](double z) { return z * z * z * z; }, "1 / 5");

@@ -57,8 +57,7 @@ void checkPurpose(const Options& options, app::Arguments& arguments) {
 }  // namespace
 
 Options optionsOf(const OptionTexts& texts, app::Arguments& arguments) {
-  Options options{.plot = texts.plot, .picture = texts.picture, .json = texts.json};
-  options.programmes = chosen(texts.name, arguments);
+  Options options{chosen(texts.name, arguments), {}, texts.plot, texts.picture, texts.json};
   if (texts.samples) options.settings.samples = arguments.whole("--samples", *texts.samples, 1024, 1u << 30);
   if (texts.seed)
     options.settings.seed = arguments.whole("--seed", *texts.seed, 0, std::numeric_limits<std::uint32_t>::max());

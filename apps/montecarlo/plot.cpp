@@ -43,12 +43,11 @@ Frame frameOf(const Panel& panel, double x, double y) {
     }
   }
   if (fewest > most) fewest = most = smallest = largest = 1.0;  // no points at all
-  Frame frame{
-      .left = x + kLeft, .right = x + kPanelWidth - kRight, .top = y + kTop, .bottom = y + kPanelHeight - kBottom};
-  frame.samples = {std::log10(fewest) - 0.2, std::log10(most) + 0.2, frame.left, frame.right};
+  const double left = x + kLeft, right = x + kPanelWidth - kRight, top = y + kTop, bottom = y + kPanelHeight - kBottom;
+  const Axis samples{std::log10(fewest) - 0.2, std::log10(most) + 0.2, left, right};
   // Whole decades, and room for the legend below the curves.
-  frame.error = {std::floor(std::log10(smallest)), std::floor(std::log10(largest)) + 1.0, frame.bottom, frame.top};
-  return frame;
+  const Axis error{std::floor(std::log10(smallest)), std::floor(std::log10(largest)) + 1.0, bottom, top};
+  return {samples, error, left, right, top, bottom};
 }
 
 /// Grid lines and labels at powers of ten, small ticks at the other multiples.

