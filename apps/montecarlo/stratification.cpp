@@ -2,6 +2,7 @@
 /// ball in 2 to 5 dimensions.
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -58,7 +59,8 @@ std::vector<Result> runBalls(const RunSettings& settings) {
     std::vector<double> grids(kReplicates);
     double sum = 0.0;
     for (std::uint32_t r = 0; r < kReplicates; ++r) sum += grids[r] = jittered(d, side, r, settings.seed);
-    Result result{.label = fmt::format("{} dimensions", d), .exact = share, .closedForm = forms[d - 2u]};
+    Result result{
+        .label = fmt::format("{} dimensions", d), .exact = share, .closedForm = forms[static_cast<std::size_t>(d - 2)]};
     result.estimate = withSpreadOf(sum / kReplicates, grids, static_cast<std::uint64_t>(kReplicates * cells));
     result.interval = confidenceInterval(result.estimate);
     const double gain = share * (1.0 - share) / result.estimate.variance;
