@@ -51,6 +51,12 @@ TEST(ProgrammeEstimates, VariancesAreTheExactOnes) {
   }
 }
 
+TEST(Metropolis, ManyStopsFollowTheCurve) {
+  // Neighbours are alike, so the programmes' common number of samples says little here.
+  for (const Result& result : findProgramme("metropolis")->run({.samples = 1u << 21, .seed = 6}))
+    EXPECT_GT(pValue(result), suiteLevel()) << result.label << ": " << result.estimate.mean;
+}
+
 double slopeOf(std::string_view programme, std::size_t series) {
   return errorCurve(findProgramme(programme)->series(3)[series]).slope;
 }
