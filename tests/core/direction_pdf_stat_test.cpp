@@ -12,7 +12,7 @@ const Vec3f kAxis = normalize(Vec3f{0.3f, -0.5f, 0.7f}), kOther = normalize(Vec3
 
 template <class P>
 testing::AssertionResult check(const P& p, std::optional<double> noSample = 0.0) {
-  DirectionCheckOptions options;
+  CheckOptions options;
   options.grid.axis = kAxis;
   options.noSample = noSample;
   return checkDirectionSampler([&](float choice, Vec2f u) { return sampleDirectionPdf(p, choice, u); },

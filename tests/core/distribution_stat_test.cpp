@@ -54,7 +54,7 @@ TEST(DistributionStatistics, Square) {
   std::vector<float> weights;
   for (std::uint32_t i = 0; i < 15; ++i) weights.push_back(i % 4 == 1 ? 0.0f : toUnitFloat<float>(mixBits(i)));
   const PiecewiseConstant2D d(weights, 5, 3);
-  PlaneCheckOptions options;
+  CheckOptions options;
   options.columns = 10;
   options.rows = 9;
   options.edgeShare = 1e-4;  // samples on the edge of a cell

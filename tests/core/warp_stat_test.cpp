@@ -13,7 +13,7 @@ using namespace test;
 /// The check for a warp of directions.
 template <class Warp>
 testing::AssertionResult check(const Warp& warp, double focus = 1.5707963) {
-  DirectionCheckOptions options;
+  CheckOptions options;
   options.grid.focus = focus;
   return checkDirectionSampler(
       [&](float, Vec2f u) {
@@ -25,7 +25,7 @@ testing::AssertionResult check(const Warp& warp, double focus = 1.5707963) {
 
 template <class Warp>
 testing::AssertionResult checkPlane(const Warp& warp, const Rectangle& domain) {
-  PlaneCheckOptions options;
+  CheckOptions options;
   options.domain = domain;
   return checkPlaneSampler(
       [&](float, Vec2f u) {
@@ -51,7 +51,7 @@ TEST(WarpStatistics, Triangle) { EXPECT_TRUE(checkPlane(UniformTriangle<float>{}
 
 TEST(WarpStatistics, Flight) {
   const ExponentialFlight<float> flight{2.5f};
-  PlaneCheckOptions options;
+  CheckOptions options;
   options.domain = {0.0, 7.0, 0.0, 1.0};
   options.columns = 40;
   options.rows = 1;

@@ -113,7 +113,7 @@ TEST(LightsStat, IrradianceOfSkies) {
 
 TEST(LightsStat, SkySampling) {
   for (const Vec3f normal : {Vec3f{0, 1, 0}, normalize(Vec3f{1, -2, 3}), Vec3f{0, 0, 0}}) {
-    DirectionCheckOptions options;
+    CheckOptions options;
     if (lengthSquared(normal) > 0.0f) options.grid.axis = normal;
     EXPECT_TRUE(checkDirectionSampler([&](float, Vec2f u) { return sampleSky(normal, u); },
                                       [&](Vec3f wi) { return static_cast<double>(skyPdf(normal, wi)); }, options));
@@ -198,7 +198,7 @@ TEST(LightsStat, TargetsOverlappingAndOccluded) {
   for (const auto& names : sets) {
     const TargetSet targets(scene, names);
     const ScatterPoint<float> from = pointAt({0.1f, 0.0f, -0.1f});
-    DirectionCheckOptions options;
+    CheckOptions options;
     options.grid.axis = {0, 1, 0};
     options.grid.focus = 1.0;
     options.grid.rings = 16;

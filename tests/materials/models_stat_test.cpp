@@ -13,7 +13,7 @@ using namespace steradian::test;
 
 /// The continuous part as a sampler of directions: what the lobe's number makes Dirac counts as "no sample".
 template <class M>
-testing::AssertionResult checkModel(const M& model, Vec3f wo, DirectionCheckOptions options) {
+testing::AssertionResult checkModel(const M& model, Vec3f wo, CheckOptions options) {
   const auto sample = [&](float choice, Vec2f u) {
     const auto s = model.sample(wo, {choice, u}, Transport::Radiance);
     return DirectionSample<float>{s.wi, s.pdf == kDirac ? 0.0f : s.pdf};
@@ -97,7 +97,7 @@ TEST(ModelsStat, Coat) {
       const Vec3f wo = fromNormal(degrees);
       const Coated<float> varnish = coated<float>(kColour, eta);
       if (varnish.diracProbability(wo) == 1.0f) continue;  // total reflection
-      DirectionCheckOptions options;
+      CheckOptions options;
       options.noSample = static_cast<double>(varnish.diracProbability(wo));
       options.samples = 200000;
       EXPECT_TRUE(checkModel(varnish, wo, options)) << eta << ", " << degrees;

@@ -41,7 +41,7 @@ TEST(BoxSamplingStat, PositionsShareTheFaces) {
 TEST(BoxSamplingStat, RejectsFacesOfEqualProbability) {
   // The faces' own densities, but each chosen with probability 1/2: the sum of pdfs is 1 all the same.
   const Vec3f from = placeAt({2.0f, 0.2f, 1.2f});
-  DirectionCheckOptions options;
+  CheckOptions options;
   options.grid = gridAbout(kBox, from);
   options.edgeShare = 0.005;
   const detail::BoxView<float> view(kBox, from);

@@ -17,7 +17,7 @@ TEST(DiskSamplingStat, Directions) {
 
 TEST(DiskSamplingStat, Positions) {
   const Frame<float> axes = Frame<float>::fromZ(kDisk.normal);
-  PlaneCheckOptions options;
+  CheckOptions options;
   options.domain = {-0.5001, 0.5001, -0.5001, 0.5001};
   options.edgeShare = 0.001;
   EXPECT_TRUE(checkPlaneSampler(
@@ -34,7 +34,7 @@ TEST(DiskSamplingStat, Positions) {
 
 TEST(DiskSamplingStat, RejectsADensityWithoutItsCosine) {
   const Vec3f from = kDisk.center + Vec3f{0.8f, 0.0f, -0.6f} * 1.5f + kDisk.normal * 1.5f;
-  DirectionCheckOptions options;
+  CheckOptions options;
   options.grid = gridAbout(kDisk, from);
   options.edgeShare = 0.005;
   EXPECT_FALSE(checkDirectionSampler(

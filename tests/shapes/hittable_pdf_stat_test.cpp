@@ -16,7 +16,7 @@ const SampledShape kBox(Box<float>{{0.0f, 0.0f, 2.0f}, {0.5f, 0.8f, 0.3f}, Frame
 const SampledShape kBehind(Quad<float>{{-1.0f, -1.0f, 4.0f}, {2.0f, 0.0f, 0.0f}, {0.0f, 2.0f, 0.0f}});
 const SampledShape kAside(Triangle<float>{{3.0f, 0.0f, 0.0f}, {3.0f, 1.0f, 0.0f}, {3.0f, 0.0f, 2.0f}});
 
-testing::AssertionResult check(const HittablePdf& target, const DirectionCheckOptions& options) {
+testing::AssertionResult check(const HittablePdf& target, const CheckOptions& options) {
   return checkDirectionSampler([&](float choice, Vec2f u) { return target.sample(choice, u); },
                                [&](Vec3f wi) { return static_cast<double>(target.pdf(wi)); }, options);
 }
@@ -25,7 +25,7 @@ TEST(HittablePdfStat, TransformedShapes) {
   for (const SampledShape& local : {kSphere, kDisk, kBox}) {
     const SampledShape world = transformed(local, shear());
     for (const Vec3f from : {Vec3f{}, Vec3f{1.2f, -2.0f, 3.3f}}) {
-      DirectionCheckOptions options;
+      CheckOptions options;
       options.edgeShare = 0.005;
       options.grid.axis = normalize(Vec3f{1.2f, -2.0f, 3.5f} - from);
       EXPECT_TRUE(check(HittablePdf(world, from), options));
@@ -36,7 +36,7 @@ TEST(HittablePdfStat, TransformedShapes) {
 TEST(HittablePdfStat, GroupsWithOverlapAndOcclusion) {
   const std::array<float, 4> weights{1.0f, 2.0f, 0.5f, 1.5f};
   const TargetGroup group({kSphere, kBehind, kBox, kAside}, weights);
-  DirectionCheckOptions options;
+  CheckOptions options;
   options.edgeShare = 0.005;
   EXPECT_TRUE(check(HittablePdf(group, {}), options));
 }
@@ -48,7 +48,7 @@ TEST(HittablePdfStat, AGroupThatOnlyCountsTheFirstHitIsRejected) {
     const float near = kSphere.pdfDirection({}, wi);
     return 0.5 * static_cast<double>(near > 0.0f ? near : kBehind.pdfDirection({}, wi));
   };
-  DirectionCheckOptions options;
+  CheckOptions options;
   options.edgeShare = 0.005;
   EXPECT_FALSE(checkDirectionSampler(
       [&](float choice, Vec2f u) {

@@ -43,7 +43,7 @@ TEST(QuadSamplingStat, Slivers) {
 }
 
 TEST(QuadSamplingStat, RejectsADensityTwoPercentOff) {
-  DirectionCheckOptions options;
+  CheckOptions options;
   options.grid = gridAbout(kRectangle, {});
   options.edgeShare = 0.005;
   const auto draw = [&](float, Vec2f u) { return sampleDirection(kRectangle, {}, u); };
@@ -61,7 +61,7 @@ TEST(QuadSamplingStat, RejectsADensityTwoPercentOff) {
 
 TEST(QuadSamplingStat, RejectsAWarpedSampler) {
   // By area where the density is uniform in solid angle; and one edge never reached.
-  DirectionCheckOptions options;
+  CheckOptions options;
   options.grid = gridAbout(kRectangle, {});
   options.edgeShare = 0.005;
   const auto density = [&](Vec3f wi) { return static_cast<double>(pdfDirection(kRectangle, {}, wi)); };

@@ -30,7 +30,7 @@ SphereGrid gridAbout(const S& shape, Vec3f from) {
 
 /// checkDirectionSampler for a target; its pdf may jump on the edges that the samples end at.
 template <class S>
-testing::AssertionResult checkTarget(const S& shape, Vec3f from, DirectionCheckOptions options = {}) {
+testing::AssertionResult checkTarget(const S& shape, Vec3f from, CheckOptions options = {}) {
   options.grid = gridAbout(shape, from);
   options.edgeShare = 0.005;
   return checkDirectionSampler([&](float, Vec2f u) { return sampleDirection(shape, from, u); },
@@ -42,7 +42,7 @@ testing::AssertionResult checkTarget(const S& shape, Vec3f from, DirectionCheckO
 /// shapes.
 template <class S>
 testing::AssertionResult checkFlatTarget(const S& shape, Vec3f from, float areaPerParameters,
-                                         const std::function<Vec3f(Vec2f)>& pointAt, PlaneCheckOptions options = {}) {
+                                         const std::function<Vec3f(Vec2f)>& pointAt, CheckOptions options = {}) {
   const Vec3f normal = normalAt(shape, from);
   const auto density = [&, from, normal, areaPerParameters](Vec2f uv) {
     const Vec3f d = pointAt(uv) - from;

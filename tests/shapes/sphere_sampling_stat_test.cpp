@@ -16,7 +16,7 @@ TEST(SphereSamplingStat, Directions) {
 }
 
 TEST(SphereSamplingStat, DirectionsFromTheSurface) {
-  DirectionCheckOptions options;
+  CheckOptions options;
   options.noSample = 0.5;
   EXPECT_TRUE(checkTarget(kSphere, kSphere.center + Vec3f{0.0f, 0.5f, 0.0f}, options));
 }
@@ -33,7 +33,7 @@ TEST(SphereSamplingStat, Positions) {
 
 TEST(SphereSamplingStat, RejectsAConeTwoPercentOff) {
   const Sphere<float> larger{kSphere.center, kSphere.radius * 1.01f};
-  DirectionCheckOptions options;
+  CheckOptions options;
   options.grid = gridAbout(kSphere, Vec3f{});
   EXPECT_FALSE(checkDirectionSampler([](float, Vec2f u) { return sampleDirection(kSphere, {}, u); },
                                      [&](Vec3f wi) { return static_cast<double>(pdfDirection(larger, {}, wi)); },

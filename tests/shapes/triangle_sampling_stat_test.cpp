@@ -31,7 +31,7 @@ TEST(TriangleSamplingStat, SmallTriangles) {
 
 TEST(TriangleSamplingStat, RejectsSwappedWeights) {
   // Without the square root, or Heitz's map, points crowd at a vertex.
-  DirectionCheckOptions options;
+  CheckOptions options;
   options.grid = gridAbout(kTriangle, Vec3f{0.0f, 0.0f, 20.0f});
   options.edgeShare = 0.005;
   const Vec3f from{0.0f, 0.0f, 20.0f};

@@ -8,16 +8,18 @@ namespace steradian::test {
 
 namespace {
 
-constexpr int kMinSplits = 2, kMaxSplits = 10;
+constexpr int kMinSplits = 2, kMaxSplits = 10, kMaxHalvings = 24;
 
 using Function = std::function<double(double, double)>;
+using LineFunction = std::function<double(double)>;
+
+constexpr std::array<double, 4> node{-0.861136311594052575, -0.339981043584856265, 0.339981043584856265,
+                                     0.861136311594052575};
+constexpr std::array<double, 4> weight{0.347854845137453857, 0.652145154862546143, 0.652145154862546143,
+                                       0.347854845137453857};
 
 /// 4x4-point Gauss-Legendre: exact for polynomials of degree 7 in each variable.
 double gauss(const Function& f, const Rectangle& r) {
-  constexpr std::array<double, 4> node{-0.861136311594052575, -0.339981043584856265, 0.339981043584856265,
-                                       0.861136311594052575};
-  constexpr std::array<double, 4> weight{0.347854845137453857, 0.652145154862546143, 0.652145154862546143,
-                                         0.347854845137453857};
   const double cx = 0.5 * (r.x0 + r.x1), hx = 0.5 * (r.x1 - r.x0);
   const double cy = 0.5 * (r.y0 + r.y1), hy = 0.5 * (r.y1 - r.y0);
   double sum = 0.0;
@@ -46,7 +48,26 @@ double refine(const Function& f, const Rectangle& r, double coarse, double toler
   return refined;
 }
 
+double gauss(const LineFunction& f, double x0, double x1) {
+  const double c = 0.5 * (x0 + x1), h = 0.5 * (x1 - x0);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < 4; ++i) sum += weight[i] * f(c + h * node[i]);
+  return sum * h;
+}
+
+double refine(const LineFunction& f, double x0, double x1, double coarse, double tolerance, int depth) {
+  const double middle = x0 + kSplit * (x1 - x0);
+  const double left = gauss(f, x0, middle), right = gauss(f, middle, x1);
+  const bool converged = depth >= kMinSplits && !(std::abs(left + right - coarse) > tolerance);
+  if (converged || depth >= kMaxHalvings) return left + right;
+  return refine(f, x0, middle, left, tolerance, depth + 1) + refine(f, middle, x1, right, tolerance, depth + 1);
+}
+
 }  // namespace
+
+double integrate(const LineFunction& f, double x0, double x1, double tolerance) {
+  return refine(f, x0, x1, gauss(f, x0, x1), tolerance, 0);
+}
 
 double integrate(const Function& f, const Rectangle& domain, double tolerance) {
   return refine(f, domain, gauss(f, domain), tolerance, 0);

@@ -33,7 +33,10 @@ testing::AssertionResult checkDraw(const Draw& d, float choice, Vec2f u, bool ma
   };
   // The negation catches NaN.
   if (!(d.pdf >= 0.0) || std::isinf(d.pdf)) return failure() << "the pdf of the sample is " << d.pdf;
-  if (d.pdf == 0.0) return testing::AssertionSuccess();
+  if (d.pdf == 0.0) {
+    if (options.noSample != 0.0) return testing::AssertionSuccess();
+    return failure() << "no sample, where there has to be one";
+  }
   if (!d.valid) return failure() << "the sample is not finite, not a unit vector or outside of the domain";
   if (!mayDiffer && !agree(d, options.pdfTolerance)) {
     return failure() << "the sample says pdf " << d.pdf << ", pdf() says " << d.pdfThere;
@@ -90,6 +93,11 @@ testing::AssertionResult checkDraws(const Drawer& draw, std::vector<double> expe
   return testing::AssertionSuccess();
 }
 
+/// The cell of x among `count` equal ones.
+int cellOf(double x, double low, double high, int count) {
+  return std::clamp(static_cast<int>((x - low) / (high - low) * count), 0, count - 1);
+}
+
 /// Wraps the density so that a negative or infinite value is remembered.
 template <class Point>
 auto guarded(const std::function<double(Point)>& pdf, bool& bad) {
@@ -104,7 +112,7 @@ auto guarded(const std::function<double(Point)>& pdf, bool& bad) {
 
 testing::AssertionResult checkDirectionSampler(
     const std::function<DirectionSample<float>(float choice, Vec2f u)>& sample, const std::function<double(Vec3f)>& pdf,
-    const DirectionCheckOptions& options) {
+    const CheckOptions& options) {
   const SphereCells cells(options.grid);
   bool bad = false;
   const std::vector<double> expected = cells.integrate(guarded<Vec3f>(pdf, bad), options.quadratureTolerance);
@@ -123,7 +131,7 @@ testing::AssertionResult checkDirectionSampler(
 }
 
 testing::AssertionResult checkPlaneSampler(const std::function<PlaneSample(float choice, Vec2f u)>& sample,
-                                           const std::function<double(Vec2f)>& pdf, const PlaneCheckOptions& options) {
+                                           const std::function<double(Vec2f)>& pdf, const CheckOptions& options) {
   const Rectangle& r = options.domain;
   const double width = (r.x1 - r.x0) / options.columns, height = (r.y1 - r.y0) / options.rows;
   bool bad = false;
@@ -144,12 +152,54 @@ testing::AssertionResult checkPlaneSampler(const std::function<PlaneSample(float
     d.valid = s.point.x >= r.x0 && s.point.x <= r.x1 && s.point.y >= r.y0 && s.point.y <= r.y1;
     if (!d.valid) return d;
     d.pdfThere = pdf(s.point);
-    const int column = std::min(static_cast<int>((s.point.x - r.x0) / width), options.columns - 1);
-    const int row = std::min(static_cast<int>((s.point.y - r.y0) / height), options.rows - 1);
+    const int column = cellOf(s.point.x, r.x0, r.x1, options.columns);
+    const int row = cellOf(s.point.y, r.y0, r.y1, options.rows);
     d.cell = static_cast<std::size_t>(row * options.columns + column);
     return d;
   };
   return checkDraws(draw, expected, options);
+}
+
+testing::AssertionResult checkLineSampler(const std::function<LineSample(float choice, Vec2f u)>& sample,
+                                          const std::function<double(float)>& pdf, const CheckOptions& options) {
+  const double low = options.domain.x0, high = options.domain.x1;
+  const int cells = options.columns * options.rows;
+  bool bad = false;
+  const auto density = guarded<float>(pdf, bad);
+  const auto f = [&](double x) { return density(static_cast<float>(x)); };
+  std::vector<double> expected;
+  for (int i = 0; i < cells; ++i) {
+    const auto edge = [&](int k) { return low + (high - low) * k / cells; };
+    expected.push_back(integrate(f, edge(i), edge(i + 1), options.quadratureTolerance));
+  }
+  if (bad) return testing::AssertionFailure() << "pdf() is negative or not finite somewhere";
+  const auto draw = [&](float choice, Vec2f u) {
+    const LineSample s = sample(choice, u);
+    Draw d{s.pdf, 0.0, 0, true};
+    if (!(s.pdf > 0.0)) return d;
+    d.valid = s.x >= low && s.x <= high;
+    if (!d.valid) return d;
+    d.pdfThere = pdf(s.x);
+    d.cell = static_cast<std::size_t>(cellOf(s.x, low, high, cells));
+    return d;
+  };
+  return checkDraws(draw, expected, options);
+}
+
+testing::AssertionResult checkIndexSampler(const std::function<IndexSample(float choice, Vec2f u)>& sample,
+                                           std::span<const double> probabilities, const CheckOptions& options) {
+  const bool bad =
+      std::any_of(probabilities.begin(), probabilities.end(), [](double p) { return !(p >= 0.0) || std::isinf(p); });
+  if (bad) return testing::AssertionFailure() << "a probability is negative or not finite";
+  const auto draw = [&](float choice, Vec2f u) {
+    const IndexSample s = sample(choice, u);
+    Draw d{s.pdf, 0.0, 0, s.index < probabilities.size()};
+    if (!d.valid || !(s.pdf > 0.0)) return d;
+    d.pdfThere = probabilities[s.index];
+    d.cell = s.index;
+    return d;
+  };
+  return checkDraws(draw, {probabilities.begin(), probabilities.end()}, options);
 }
 
 }  // namespace steradian::test

@@ -17,7 +17,7 @@ class DirectionCheck : public testing::Test {
   DirectionCheck() { options_.grid.axis = kAxis; }
 
   CosinePdf<float> cosine_{kAxis};
-  DirectionCheckOptions options_;
+  CheckOptions options_;
 
   DirectionSample<float> draw(Vec2f u) const { return cosine_.sample(u); }
   double density(Vec3f wi) const { return cosine_.pdf(wi); }
@@ -142,7 +142,7 @@ TEST(PlaneCheck, AcceptsTheTentAndRejectsItsNeighbours) {
   EXPECT_TRUE(checkPlaneSampler(sample(0.5), pdf));
   EXPECT_FALSE(checkPlaneSampler(sample(0.51), pdf));
   EXPECT_FALSE(checkPlaneSampler([&](float c, Vec2f u) { return sample(0.5)(c, {u.x, u.y * 0.99f}); }, pdf));
-  PlaneCheckOptions half;
+  CheckOptions half;
   half.domain = {0.0, 0.5, 0.0, 1.0};
   EXPECT_FALSE(checkPlaneSampler(sample(0.5), pdf, half));
 }

@@ -22,8 +22,11 @@ SphereCells::SphereCells(const SphereGrid& grid) : sectors_(grid.sectors) {
   const int inner = grid.rings / 2;
   for (int i = 0; i <= grid.rings; ++i) {
     const double outer = static_cast<double>(i - inner) / (grid.rings - inner);
-    edges_.push_back(i <= inner ? split * i / inner : split + (2.0 - split) * outer);
+    // Around a narrow peak rings of equal ratio follow its tail.
+    const double beyond = grid.focus < 0.1 ? split * std::pow(2.0 / split, outer) : split + (2.0 - split) * outer;
+    edges_.push_back(i <= inner ? split * i / inner : beyond);
   }
+  edges_.back() = 2.0;
 }
 
 std::size_t SphereCells::cellOf(Vec3f w) const {

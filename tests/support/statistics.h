@@ -1,8 +1,10 @@
 #pragma once
-/// Statistical proof for tests: p-values, deterministic quadrature, and one check for everything that samples.
+/// Statistical proof for tests: p-values, deterministic quadrature, and checks of functions that sample.
 ///
 ///     EXPECT_TRUE(checkDirectionSampler([&](float, Vec2f u) { return cosine.sample(u); },
 ///                                       [&](Vec3f wi) { return cosine.pdf(wi); }));
+///
+/// What has `sample` and `pdf` as members is proved by prove() in proof.h, which also looks at inverses and lanes.
 ///
 /// The check is deterministic: its random numbers come from a fixed key. It takes about 0.1 s in a release build, so it
 /// belongs into files named *_stat_test.cpp.
@@ -68,12 +70,15 @@ struct Rectangle {
 /// where a cell and its parts differ by more than `tolerance` (absolute, per cell). Smooth functions to the tolerance;
 /// a jump to about 1e-4 of its height. What is smaller than 1/30 of the rectangle may be missed.
 double integrate(const std::function<double(double, double)>& f, const Rectangle& domain, double tolerance = 1e-7);
+/// The same over an interval, split at most 25 times: a jump to about 1e-7 of its height.
+double integrate(const std::function<double(double)>& f, double x0, double x1, double tolerance = 1e-7);
 
 /// Where the density of directions is worth looking at.
 struct SphereGrid {
   Vec3f axis{0.0f, 0.0f, 1.0f};  ///< unit; the pole of the grid: the normal, or towards a small light
   /// Angle around the axis, radians, that gets half of the rings; set it to about 1.5 times the angle that a small
-  /// light subtends. From pi/2 (the default: rings of equal solid angle) downwards.
+  /// light subtends. From pi/2 (the default: rings of equal solid angle) downwards; below 0.1 the rings beyond it grow
+  /// by equal ratios, for the tails of narrow lobes.
   double focus = 1.57079632679489662;
   int rings = 12, sectors = 16;
 };
@@ -88,24 +93,32 @@ double integrateHemisphere(const std::function<double(Vec3f)>& density, Vec3f ax
 
 // --- Checks of samplers -----------------------------------------------------------------------------------------
 
+/// What every check of a sampler can be told; the default is the strictest.
 struct CheckOptions {
   int samples = 300000;
   std::uint32_t seed = 1;
   /// Probability that the sampler gives no sample (pdf 0): a cell of the chi-square test, and missing from the integral
-  /// of the pdf. std::nullopt: whatever the integral of the pdf leaves of 1.
+  /// of the pdf. 0: never, not for awkward numbers either. std::nullopt: whatever the integral of the pdf leaves of 1.
   std::optional<double> noSample = 0.0;
   /// |integral of the pdf + noSample - 1|.
   double normalisationTolerance = 1e-3;
   double quadratureTolerance = 1e-7;
-  /// Relative difference between the pdf of a sample and pdf() of its direction.
+  /// Relative difference between the pdf of a sample and pdf() of its place.
   double pdfTolerance = 1e-3;
   /// Share of the samples whose pdf() may differ: such as lie on an edge, where pdf() sees the other side of a jump. If
   /// it is not 0, those of the adversarial random numbers (which make corners) may differ too.
   double edgeShare = 0.0;
   double level = suiteLevel();
-};
-struct DirectionCheckOptions : CheckOptions {
-  SphereGrid grid;
+
+  SphereGrid grid{};  ///< directions: the cells
+  Rectangle domain{0.0, 1.0, 0.0,
+                   1.0};        ///< planes, and x0 to x1 lines: encloses the support; samples outside are errors
+  int columns = 12, rows = 12;  ///< planes: the cells; lines have columns * rows of equal width
+
+  /// For prove() alone: does invert() exist, does Lanes<N>? The answer has to be the truth.
+  bool inverse = true, lanes = true;
+  /// |invert(sample(u)) - u|, or of the two samples in units of the domain.
+  double inverseTolerance = 2e-6;
 };
 
 /// Checks that `sample(choice, u)` draws directions with density `pdf`:
@@ -116,20 +129,33 @@ struct DirectionCheckOptions : CheckOptions {
 /// A failure says which of them failed and by how much.
 testing::AssertionResult checkDirectionSampler(
     const std::function<DirectionSample<float>(float choice, Vec2f u)>& sample, const std::function<double(Vec3f)>& pdf,
-    const DirectionCheckOptions& options = {});
+    const CheckOptions& options = {});
 
 /// A point of a plane with its density per unit of area.
 struct PlaneSample {
   Vec2f point;
   double pdf = 0.0;
 };
-struct PlaneCheckOptions : CheckOptions {
-  Rectangle domain{0.0, 1.0, 0.0, 1.0};  ///< encloses the support; samples outside are errors
-  int columns = 12, rows = 12;
-};
 /// The same for samplers of points in a plane (disks, triangles, filters, tables).
 testing::AssertionResult checkPlaneSampler(const std::function<PlaneSample(float choice, Vec2f u)>& sample,
-                                           const std::function<double(Vec2f)>& pdf,
-                                           const PlaneCheckOptions& options = {});
+                                           const std::function<double(Vec2f)>& pdf, const CheckOptions& options = {});
+
+/// A number with its density per unit of length.
+struct LineSample {
+  float x = 0.0f;
+  double pdf = 0.0;
+};
+/// The same for samplers of numbers (flights, one-dimensional densities and tables).
+testing::AssertionResult checkLineSampler(const std::function<LineSample(float choice, Vec2f u)>& sample,
+                                          const std::function<double(float)>& pdf, const CheckOptions& options = {});
+
+/// One of several, with its probability.
+struct IndexSample {
+  std::uint32_t index = 0;
+  double pdf = 0.0;
+};
+/// The same for samplers of indices (alias tables, selections, reservoirs): one cell per index.
+testing::AssertionResult checkIndexSampler(const std::function<IndexSample(float choice, Vec2f u)>& sample,
+                                           std::span<const double> probabilities, const CheckOptions& options = {});
 
 }  // namespace steradian::test
