@@ -48,9 +48,11 @@ template <class F>
 struct SpherePdf {
   DirectionSample<F> sample(Vec2<F> u) const { return {UniformSphere<F>::sample(u), F(kInvFourPi)}; }
   F pdf(Vec3<F> wi) const { return UniformSphere<F>::pdf(wi); }
+  Vec2<F> invert(Vec3<F> wi) const { return UniformSphere<F>::invert(wi); }
 };
 
-/// All directions of the hemisphere about a unit axis alike: 1 / 2 pi.
+/// All directions of the hemisphere about a unit axis alike: 1 / 2 pi. Directions below the horizon by a cosine of up
+/// to 2^-22 count as inside: they are samples, rounded.
 template <class F>
 class HemispherePdf {
  public:
@@ -60,7 +62,8 @@ class HemispherePdf {
     const Vec3<F> wi = frame_.toWorld(UniformHemisphere<F>::sample(u));
     return {wi, pdf(wi)};
   }
-  F pdf(Vec3<F> wi) const { return select(dot(wi, frame_.z) >= F(0.0f), F(kInvTwoPi), F(0.0f)); }
+  F pdf(Vec3<F> wi) const { return select(dot(wi, frame_.z) >= F(-0x1p-22f), F(kInvTwoPi), F(0.0f)); }
+  Vec2<F> invert(Vec3<F> wi) const { return UniformHemisphere<F>::invert(frame_.toLocal(wi)); }
 
  private:
   Frame<F> frame_;
@@ -78,6 +81,7 @@ class CosinePdf {
     return {wi, pdf(wi)};
   }
   F pdf(Vec3<F> wi) const { return maximum(dot(wi, frame_.z), F(0.0f)) * F(kInvPi); }
+  Vec2<F> invert(Vec3<F> wi) const { return CosineHemisphere<F>::invert(frame_.toLocal(wi)); }
 
  private:
   Frame<F> frame_;

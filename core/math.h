@@ -182,6 +182,18 @@ F exponential(F x) {
   return select(x < F(-87.3f), F(0.0f), select(x > F(88.72f), F(kInfinity), result));
 }
 
+/// e^x - 1 without cancellation near 0 (relative error < 4e-7); -1 below -87.3, +inf above 88.7.
+template <class F>
+F exponentialMinusOne(F x) {
+  // The polynomial of exponential() for |x| < ln 2 / 2, before it adds the 1.
+  F p = F(1.9875691500e-4f) * x + F(1.3981999507e-3f);
+  p = p * x + F(8.3334519073e-3f);
+  p = p * x + F(4.1665795894e-2f);
+  p = p * x + F(1.6666665459e-1f);
+  p = p * x + F(5.0000001201e-1f);
+  return select(absolute(x) < F(0.34f), p * (x * x) + x, exponential(x) - F(1.0f));
+}
+
 /// Natural logarithm of a positive, normal x (relative error < 2e-7); -inf at 0 and for denormals, NaN below.
 template <class F>
 F logarithm(F x) {

@@ -1,7 +1,8 @@
+#include "steradian/core/direction_pdf.h"
+
 #include <gtest/gtest.h>
 
-#include "steradian/core/direction_pdf.h"
-#include "steradian/tests/support/statistics.h"
+#include "steradian/tests/support/proof.h"
 
 namespace steradian {
 namespace {
@@ -10,13 +11,20 @@ using namespace test;
 
 const Vec3f kAxis = normalize(Vec3f{0.3f, -0.5f, 0.7f}), kOther = normalize(Vec3f{-0.8f, 0.1f, 0.4f});
 
-template <class P>
-testing::AssertionResult check(const P& p, std::optional<double> noSample = 0.0) {
+CheckOptions aboutAxis() {
   CheckOptions options;
   options.grid.axis = kAxis;
+  return options;
+}
+
+/// A mixture has no inverse: several random numbers give the same direction.
+template <class P>
+testing::AssertionResult proveMixture(const P& make, std::optional<double> noSample = 0.0) {
+  CheckOptions options = aboutAxis();
+  options.inverse = false;
+  options.lanes = std::is_invocable_v<P, float>;
   options.noSample = noSample;
-  return checkDirectionSampler([&](float choice, Vec2f u) { return sampleDirectionPdf(p, choice, u); },
-                               [&](Vec3f w) { return p.pdf(w); }, options);
+  return prove(make, options);
 }
 
 /// The upper half of a sphere of directions: half of its samples are none.
@@ -28,26 +36,35 @@ struct HalfPdf {
   float pdf(Vec3f wi) const { return dot(wi, kAxis) > 0.0f ? kInvFourPi : 0.0f; }
 };
 
-TEST(DirectionPdfStatistics, Sphere) { EXPECT_TRUE(check(SpherePdf<float>{})); }
-TEST(DirectionPdfStatistics, Hemisphere) { EXPECT_TRUE(check(HemispherePdf<float>(kAxis))); }
+TEST(DirectionPdfStatistics, Sphere) { EXPECT_TRUE(prove<SpherePdf>(aboutAxis())); }
+TEST(DirectionPdfStatistics, Hemisphere) {
+  EXPECT_TRUE(prove([](auto f) { return HemispherePdf(broadcast<decltype(f)>(kAxis)); }, aboutAxis()));
+}
 TEST(DirectionPdfStatistics, Cosine) {
-  EXPECT_TRUE(check(CosinePdf<float>(kAxis)));
-  EXPECT_TRUE(check(CosinePdf<float>(kOther)));
+  for (const Vec3f axis : {kAxis, kOther, Vec3f{0.0f, 0.0f, -1.0f}}) {
+    EXPECT_TRUE(prove([axis](auto f) { return CosinePdf(broadcast<decltype(f)>(axis)); }, aboutAxis()));
+  }
 }
 
 TEST(DirectionPdfStatistics, Mixtures) {
-  const CosinePdf<float> a(kAxis), b(kOther);
-  EXPECT_TRUE(check(MixturePdf(std::array{0.3f, 0.7f}, a, b)));
-  EXPECT_TRUE(check(MixturePdf(std::array{5.0f, 0.0f, 1.0f}, a, b, SpherePdf<float>{})));
+  EXPECT_TRUE(proveMixture([](auto f) {
+    using F = decltype(f);
+    const CosinePdf<F> a(broadcast<F>(kAxis)), b(broadcast<F>(kOther));
+    return MixturePdf(std::array<F, 3>{F(5.0f), F(0.0f), F(1.0f)}, a, b, SpherePdf<F>{});
+  }));
   // A mixture as part of a mixture: the random number is used again.
-  const MixturePdf inner(std::array{1.0f, 1.0f}, a, HemispherePdf<float>(kOther));
-  EXPECT_TRUE(check(MixturePdf(std::array{0.4f, 0.6f}, inner, b)));
+  EXPECT_TRUE(proveMixture([](auto f) {
+    using F = decltype(f);
+    const CosinePdf<F> a(broadcast<F>(kAxis)), b(broadcast<F>(kOther));
+    const MixturePdf inner(std::array<F, 2>{F(1.0f), F(1.0f)}, a, HemispherePdf<F>(broadcast<F>(kOther)));
+    return MixturePdf(std::array<F, 2>{F(0.4f), F(0.6f)}, inner, b);
+  }));
 }
 
 TEST(DirectionPdfStatistics, MixturesWithPartsThatMiss) {
   const MixturePdf mixture(std::array{0.5f, 0.5f}, HalfPdf{}, CosinePdf<float>(kOther));
-  EXPECT_TRUE(check(mixture, 0.25));
-  EXPECT_FALSE(check(mixture, 0.24));
+  EXPECT_TRUE(proveMixture(mixture, 0.25));
+  EXPECT_FALSE(proveMixture(mixture, 0.24));
 }
 
 TEST(DirectionPdfStatistics, ManyParts) {
@@ -58,7 +75,7 @@ TEST(DirectionPdfStatistics, ManyParts) {
     parts.emplace_back(UniformSphere<float>::sample({t, t * t}));
     weights.push_back(t * (1.0f - t));
   }
-  EXPECT_TRUE(check(MixtureSpanPdf{std::span<const float>(weights), std::span<const CosinePdf<float>>(parts)}));
+  EXPECT_TRUE(proveMixture(MixtureSpanPdf{std::span<const float>(weights), std::span<const CosinePdf<float>>(parts)}));
 }
 
 }  // namespace

@@ -119,6 +119,18 @@ TEST(Math, Exponential) {
   EXPECT_EQ(exponential(kInfinity), kInfinity);
 }
 
+TEST(Math, ExponentialMinusOneKeepsTheDigitsOfSmallNumbers) {
+  const auto f = [](float x) { return exponentialMinusOne(x); };
+  const auto exact = [](double x) { return std::expm1(x); };
+  for (const float end : {88.7f, 1.0f, 1e-3f, 1e-9f, 1e-30f}) {
+    EXPECT_LT(worstError(-end, 0.0f, f, exact, true), 4e-7) << end;
+    EXPECT_LT(worstError(0.0f, end, f, exact, true), 4e-7) << end;
+  }
+  EXPECT_EQ(exponentialMinusOne(0.0f), 0.0f);
+  EXPECT_EQ(exponentialMinusOne(-kInfinity), -1.0f);
+  EXPECT_EQ(exponentialMinusOne(kInfinity), kInfinity);
+}
+
 TEST(Math, Logarithm) {
   const auto log = [](float x) { return logarithm(x); };
   const auto exact = [](double x) { return std::log(x); };
@@ -185,6 +197,7 @@ TEST(Math, LanesAgreeWithScalars) {
   EXPECT_TRUE(sameInLanes<8>([](auto x) { return arcCos(x); }, unit));
   EXPECT_TRUE(sameInLanes<8>([](auto x, auto y) { return arcTan2(y, x); }, angle, unit));
   EXPECT_TRUE(sameInLanes<8>([](auto x) { return exponential(x); }, angle));
+  EXPECT_TRUE(sameInLanes<8>([](auto x) { return exponentialMinusOne(x); }, angle));
   EXPECT_TRUE(sameInLanes<8>([](auto x) { return logarithm(x); }, positive));
   EXPECT_TRUE(sameInLanes<8>([](auto x) { return logarithm(x); }, angle));
   EXPECT_TRUE(sameInLanes<8>([](auto x, auto y) { return power(x, y); }, positive, unit));

@@ -1,66 +1,73 @@
+#include "steradian/core/warp.h"
+
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
-#include "steradian/core/warp.h"
-#include "steradian/tests/support/statistics.h"
+#include "steradian/tests/support/proof.h"
 
 namespace steradian {
 namespace {
 
 using namespace test;
 
-/// The check for a warp of directions.
-template <class Warp>
-testing::AssertionResult check(const Warp& warp, double focus = 1.5707963) {
-  CheckOptions options;
-  options.grid.focus = focus;
-  return checkDirectionSampler(
-      [&](float, Vec2f u) {
-        const Vec3f w = warp.sample(u);
-        return DirectionSample<float>{w, warp.pdf(w)};
-      },
-      [&](Vec3f w) { return warp.pdf(w); }, options);
-}
+constexpr Rectangle kAroundDisk{-1.0, 1.0, -1.0, 1.0};
 
-template <class Warp>
-testing::AssertionResult checkPlane(const Warp& warp, const Rectangle& domain) {
-  CheckOptions options;
-  options.domain = domain;
-  return checkPlaneSampler(
-      [&](float, Vec2f u) {
-        const Vec2f p = warp.sample(u);
-        return PlaneSample{p, warp.pdf(p)};
-      },
-      [&](Vec2f p) { return warp.pdf(p); }, options);
-}
-
-TEST(WarpStatistics, Sphere) { EXPECT_TRUE(check(UniformSphere<float>{})); }
-TEST(WarpStatistics, Hemisphere) { EXPECT_TRUE(check(UniformHemisphere<float>{})); }
-TEST(WarpStatistics, CosineHemisphere) { EXPECT_TRUE(check(CosineHemisphere<float>{})); }
+TEST(WarpStatistics, Sphere) { EXPECT_TRUE(prove<UniformSphere>()); }
+TEST(WarpStatistics, Hemisphere) { EXPECT_TRUE(prove<UniformHemisphere>()); }
+TEST(WarpStatistics, CosineHemisphere) { EXPECT_TRUE(prove<CosineHemisphere>()); }
 
 TEST(WarpStatistics, Cones) {
-  for (const double angle : {3.1, 1.5707963, 0.5, 1e-2, 1e-5, 1e-10}) {
+  for (const double angle : {3.14159265, 1.5707963, 0.5, 1e-2, 1e-5, 1e-10, 1e-18}) {
     const double half = std::sin(0.5 * angle);
-    EXPECT_TRUE(check(UniformCone<float>{static_cast<float>(2.0 * half * half)}, 1.5 * angle)) << angle;
+    CheckOptions options;
+    options.grid.focus = 1.5 * angle;
+    EXPECT_TRUE(prove(
+        [&](auto f) {
+          using F = decltype(f);
+          return UniformCone<F>{F(static_cast<float>(2.0 * half * half))};
+        },
+        options))
+        << angle;
   }
 }
 
-TEST(WarpStatistics, Disk) { EXPECT_TRUE(checkPlane(UniformDisk<float>{}, {-1.0, 1.0, -1.0, 1.0})); }
-TEST(WarpStatistics, Triangle) { EXPECT_TRUE(checkPlane(UniformTriangle<float>{}, {0.0, 1.0, 0.0, 1.0})); }
+TEST(WarpStatistics, PowerCosines) {
+  for (const float n : {0.0f, 1.0f, 3.0f, 40.0f, 1000.0f}) {
+    CheckOptions options;
+    if (n > 3.0f) options.grid.focus = 3.0 / std::sqrt(n + 1.0);
+    options.inverseTolerance = std::max(2e-6, 1e-7 * static_cast<double>(n));
+    EXPECT_TRUE(prove([n](auto f) { return PowerCosineHemisphere<decltype(f)>{decltype(f)(n)}; }, options)) << n;
+  }
+}
 
-TEST(WarpStatistics, Flight) {
-  const ExponentialFlight<float> flight{2.5f};
-  CheckOptions options;
-  options.domain = {0.0, 7.0, 0.0, 1.0};
-  options.columns = 40;
-  options.rows = 1;
-  EXPECT_TRUE(checkPlaneSampler(
-      [&](float, Vec2f u) {
-        const float t = flight.sample(u.x);
-        return PlaneSample{{t, u.y}, flight.pdf(t)};
-      },
-      [&](Vec2f p) { return flight.pdf(p.x); }, options));
+TEST(WarpStatistics, Disks) {
+  EXPECT_TRUE(prove<UniformDisk>({.domain = kAroundDisk}));
+  EXPECT_TRUE(prove<UniformDiskPolar>({.domain = kAroundDisk}));
+}
+
+TEST(WarpStatistics, Triangle) { EXPECT_TRUE(prove<UniformTriangle>()); }
+
+TEST(WarpStatistics, Parallelograms) {
+  const auto make = [](Vec2f a, Vec2f b) {
+    return [a, b](auto f) {
+      using F = decltype(f);
+      return UniformParallelogram<F>{{F(a.x), F(a.y)}, {F(b.x), F(b.y)}};
+    };
+  };
+  EXPECT_TRUE(prove(make({1.0f, 0.2f}, {-0.5f, 0.7f}), {.domain = {-0.5, 1.0, 0.0, 0.9}}));
+  // Clockwise, and a sliver of a thousandth.
+  EXPECT_TRUE(prove(make({-0.5f, 0.7f}, {1.0f, 0.2f}), {.domain = {-0.5, 1.0, 0.0, 0.9}}));
+  EXPECT_TRUE(prove(make({1.0f, 0.0f}, {0.3f, 1e-3f}), {.domain = {0.0, 1.3, 0.0, 1e-3}}));
+}
+
+TEST(WarpStatistics, Flights) {
+  for (const float rate : {1e-6f, 2.5f, 3e4f}) {
+    EXPECT_TRUE(prove([rate](auto f) { return ExponentialFlight<decltype(f)>{decltype(f)(rate)}; },
+                      {.domain = {0.0, 17.5 / static_cast<double>(rate), 0.0, 1.0}}))
+        << rate;
+  }
 }
 
 }  // namespace
