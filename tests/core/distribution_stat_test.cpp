@@ -4,7 +4,7 @@
 
 #include "steradian/core/distribution.h"
 #include "steradian/core/rng.h"
-#include "steradian/tests/support/statistics.h"
+#include "steradian/tests/support/proof.h"
 
 namespace steradian {
 namespace {
@@ -50,27 +50,54 @@ TEST(DistributionStatistics, RemainderOfTheAliasTableIsUniform) {
   for (const auto& c : counts) EXPECT_GT(chiSquareUniform(c).pValue, suiteLevel());
 }
 
-TEST(DistributionStatistics, Square) {
+/// Weights of many sizes, a quarter of them zero; a single one for `count` 1.
+std::vector<float> randomWeights(std::uint32_t count) {
   std::vector<float> weights;
-  for (std::uint32_t i = 0; i < 15; ++i) weights.push_back(i % 4 == 1 ? 0.0f : toUnitFloat<float>(mixBits(i)));
-  const PiecewiseConstant2D d(weights, 5, 3);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    weights.push_back(i % 4 == 1 ? 0.0f : toUnitFloat<float>(mixBits(i + 100 * (count % 15))));
+  }
+  return weights;
+}
+
+TEST(DistributionStatistics, Lines) {
+  for (const std::uint32_t bins : {1u, 7u, 48u, 300u}) {
+    CheckOptions options;
+    options.domain = {-1.0, 2.0, 0.0, 1.0};
+    options.edgeShare = 1e-3;  // samples on the edge of a bin
+    options.inverseTolerance = 1e-5;
+    EXPECT_TRUE(prove(PiecewiseConstant1D(randomWeights(bins), -1.0f, 2.0f), options)) << bins;
+  }
+}
+
+TEST(DistributionStatistics, Squares) {
+  for (const auto& [columns, rows] : {std::pair{1u, 1u}, std::pair{5u, 3u}, std::pair{1u, 6u}}) {
+    CheckOptions options;
+    options.columns = static_cast<int>(columns) * 2;
+    options.rows = static_cast<int>(rows) * 3;
+    options.edgeShare = 1e-4;  // samples on the edge of a cell
+    options.inverseTolerance = 1e-5;
+    EXPECT_TRUE(prove(PiecewiseConstant2D(randomWeights(columns * rows), columns, rows), options));
+  }
+}
+
+TEST(DistributionStatistics, ATransposedSquareIsRejected) {
+  const PiecewiseConstant2D d(randomWeights(15), 5, 3);
   CheckOptions options;
   options.columns = 10;
   options.rows = 9;
-  options.edgeShare = 1e-4;  // samples on the edge of a cell
-  const auto pdf = [&](Vec2f p) { return d.pdf(p); };
-  EXPECT_TRUE(checkPlaneSampler(
-      [&](float, Vec2f u) {
-        const auto s = d.sample(u);
-        return PlaneSample{s.point, s.pdf};
-      },
-      pdf, options));
+  options.edgeShare = 1e-4;
   EXPECT_FALSE(checkPlaneSampler(
       [&](float, Vec2f u) {
         const auto s = d.sample(Vec2f{u.y, u.x});
         return PlaneSample{{s.point.y, s.point.x}, s.pdf};
       },
-      pdf, options));
+      [&](Vec2f p) { return d.pdf(p); }, options));
+}
+
+TEST(DistributionStatistics, AliasTables) {
+  for (const std::uint32_t entries : {1u, 2u, 7u, 100u}) {
+    EXPECT_TRUE(prove(AliasTable(randomWeights(entries)), {.inverse = false})) << entries;
+  }
 }
 
 }  // namespace
