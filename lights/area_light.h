@@ -1,6 +1,7 @@
 #pragma once
 /// A primitive that emits: constant radiance, from the side of its outward normal or from both.
 #include "steradian/accel/shapes/sampled_shape.h"
+#include "steradian/core/description.h"
 #include "steradian/core/ray_offset.h"
 
 namespace steradian {

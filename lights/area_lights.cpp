@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "steradian/accel/shapes/sampled_shape_at.h"
+
 namespace steradian {
 
 std::vector<bool> shapesInGroups(const SceneDescription& scene) {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "steradian/accel/shapes/hittable_pdf.h"
+#include "steradian/core/description.h"
 
 namespace steradian {
 

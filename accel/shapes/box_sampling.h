@@ -145,7 +145,31 @@ DirectionSample<F> sampleDirection(const Box<F>& box, Vec3<F> from, Vec2<F> u) {
                   select(outside, distance, hit.t));
 }
 
-/// The density of that: 0 where the line misses the box. A line from outside enters by exactly one of the faces seen.
+/// The random numbers that sampleDirection makes the direction of; meaningless where the line misses the box by
+/// more than rounding.
+template <class F>
+Vec2<F> invertDirection(const Box<F>& box, Vec3<F> from, Vec3<F> wi) {
+  const ShapeHit<F> hit = intersect(box, Ray<F>{from, wi});
+  const detail::BoxView<F> view(box, from);
+  // Also where rounding lets an edge be missed: the slab that was entered last.
+  const UintOf<F> k = toUnsigned(toInt(hit.u)) >> 1;
+  // The face that is met, in the view's octant and with its axis as z.
+  const Vec3<F> local = box.axes.toLocal(wi) * view.side;
+  const SeenRectangle<F> face = view.face(k);
+  const F t = -face.z / detail::component(k, local);
+  const UintOf<F> i = detail::BoxView<F>::next(k), j = detail::BoxView<F>::next(i);
+  const RectangleDirections<F> directions(face, MaskOf<F>(true));
+  const Vec2<F> u = directions.invert({t * detail::component(i, local), t * detail::component(j, local)});
+  // Before face k come those of smaller index.
+  const F zero(0.0f);
+  const F before = select(k == UintOf<F>(0u), zero, view.share(UintOf<F>(0u))) +
+                   select(k == UintOf<F>(2u), view.share(UintOf<F>(1u)), zero);
+  const Vec2<F> outside{minimum(before + view.share(k) * u.x, F(kOneMinusEpsilon)), u.y};
+  return select(view.outside, outside, UniformSphere<F>::invert(wi));
+}
+
+/// The density of sampleDirection: 0 where the line misses the box. A line from outside enters by exactly one of the
+/// faces seen.
 template <class F>
 F pdfDirection(const Box<F>& box, Vec3<F> from, Vec3<F> wi) {
   const ShapeHit<F> hit = intersect(box, Ray<F>{from, wi});

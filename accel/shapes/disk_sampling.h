@@ -51,4 +51,13 @@ F pdfDirection(const Disk<F>& disk, Vec3<F> from, Vec3<F> wi) {
   return densityIf(hit.valid, densityPerSteradian(pdfPosition(disk), hit.t, height));
 }
 
+/// The random numbers that sampleDirection makes the direction of; meaningless where the line misses the disk.
+template <class F>
+Vec2<F> invertDirection(const Disk<F>& disk, Vec3<F> from, Vec3<F> wi) {
+  const Frame<F> axes = Frame<F>::fromZ(disk.normal);
+  const Vec3<F> center = axes.toLocal(disk.center - from), local = axes.toLocal(wi);
+  const F t = center.z / local.z, scale = F(1.0f) / disk.radius;
+  return UniformDisk<F>::invert({(t * local.x - center.x) * scale, (t * local.y - center.y) * scale});
+}
+
 }  // namespace steradian

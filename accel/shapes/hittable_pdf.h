@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "steradian/accel/shapes/sampled_shape.h"
+#include "steradian/core/diagnostics.h"
 #include "steradian/core/direction_pdf.h"
 
 namespace steradian {

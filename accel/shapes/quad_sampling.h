@@ -50,7 +50,10 @@ struct PreparedQuad : Quad<F> {
  private:
   static Frame<F> axesOf(Vec3<F> u, Vec3<F> normal) {
     const F tiny(1e-30f);
-    const Vec3<F> x = u * (F(1.0f) / maximum(length(u), tiny)), z = normal * (F(1.0f) / maximum(length(normal), tiny));
+    const Vec3<F> x = u * (F(1.0f) / maximum(length(u), tiny)), n = normal * (F(1.0f) / maximum(length(normal), tiny));
+    // In a sliver of nearly parallel edges the product is not perpendicular to them.
+    const Vec3<F> perpendicular = n - x * dot(n, x);
+    const Vec3<F> z = perpendicular * (F(1.0f) / maximum(length(perpendicular), tiny));
     return {x, cross(z, x), z};
   }
 };
@@ -99,6 +102,19 @@ F pdfDirection(const PreparedQuad<F>& quad, Vec3<F> from, Vec3<F> wi) {
   return densityIf(hit.valid & view.valid, view.directions.pdf(hit.t));
 }
 
+/// The random numbers that sampleDirection makes the direction of; the nearest ones where the line misses the quad.
+template <class F>
+Vec2<F> invertDirection(const PreparedQuad<F>& quad, Vec3<F> from, Vec3<F> wi) {
+  const detail::QuadView<F> view(quad, from);
+  const Vec3<F> local = quad.axes.toLocal(wi);
+  const F t = view.corner.z / local.z;
+  Vec2<F> p{t * local.x, t * local.y};
+  // By area the skew of v has to go again.
+  const F skew = quad.shear * ((p.y - view.corner.y) / quad.height);
+  p.x = select(view.directions.uniform(), p.x, p.x - skew);
+  return view.directions.invert(p);
+}
+
 /// The same for a quad that is sampled once.
 template <class F>
 DirectionSample<F> sampleDirection(const Quad<F>& quad, Vec3<F> from, Vec2<F> u) {
@@ -107,6 +123,10 @@ DirectionSample<F> sampleDirection(const Quad<F>& quad, Vec3<F> from, Vec2<F> u)
 template <class F>
 F pdfDirection(const Quad<F>& quad, Vec3<F> from, Vec3<F> wi) {
   return pdfDirection(PreparedQuad<F>(quad), from, wi);
+}
+template <class F>
+Vec2<F> invertDirection(const Quad<F>& quad, Vec3<F> from, Vec3<F> wi) {
+  return invertDirection(PreparedQuad<F>(quad), from, wi);
 }
 
 }  // namespace steradian

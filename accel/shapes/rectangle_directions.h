@@ -123,6 +123,18 @@ Vec2<F> sampleSolidAngle(const SeenRectangle<F>& r, const detail::CornerSum<F>& 
   return {x, y};
 }
 
+/// The random numbers that sampleSolidAngle makes the point (x, y) of: the share of the strip left of x, by the corner
+/// angles (absolute error below 1e-5 over the solid angle), and the share of y / r.
+template <class F>
+Vec2<F> invertSolidAngle(const SeenRectangle<F>& r, const detail::CornerSum<F>& corners, Vec2<F> p) {
+  const F tiny(1e-30f);
+  const F strip = detail::cornerAngle(p.x, r.y1, r.z) - detail::cornerAngle(p.x, r.y0, r.z);
+  const F dd = p.x * p.x + r.z * r.z;
+  const auto slope = [&](F y) { return y / maximum(squareRoot(dd + y * y), tiny); };
+  const F g0 = slope(r.y0), g1 = slope(r.y1);
+  return {(strip - corners.left) / corners.total, (slope(p.y) - g0) / maximum(g1 - g0, tiny)};
+}
+
 /// How directions towards a rectangle are chosen; a pure function of the rectangle, so that sample and pdf agree.
 template <class F>
 class RectangleDirections {
@@ -144,6 +156,14 @@ class RectangleDirections {
     const Vec2<F> byArea{r.x0 + (r.x1 - r.x0) * u.x, r.y0 + (r.y1 - r.y0) * u.y};
     if (!any(uniform_)) return byArea;
     return select(uniform_, sampleSolidAngle(r, corners_, u), byArea);
+  }
+  /// The random numbers that sample() makes a point of.
+  Vec2<F> invert(Vec2<F> p) const {
+    const SeenRectangle<F>& r = rectangle_;
+    const auto toUnit = [](F u) { return clamp(u, F(0.0f), F(kOneMinusEpsilon)); };
+    Vec2<F> u{(p.x - r.x0) / (r.x1 - r.x0), (p.y - r.y0) / (r.y1 - r.y0)};
+    if (any(uniform_)) u = select(uniform_, invertSolidAngle(r, corners_, p), u);
+    return {toUnit(u.x), toUnit(u.y)};
   }
   /// Per sr, for a direction that meets the rectangle at this distance.
   F pdf(F distance) const {

@@ -25,36 +25,6 @@ auto visitShape(const SampledShape::Shape& shape, const Plain& plain, const Move
       shape);
 }
 
-SampledShape shapeOf(const SphereSet& set, std::size_t i) {
-  return SampledShape(Sphere<float>{{set.centerX[i], set.centerY[i], set.centerZ[i]}, set.radius[i]});
-}
-SampledShape shapeOf(const QuadSet& set, std::size_t i) {
-  return SampledShape(Quad<float>{{set.cornerX[i], set.cornerY[i], set.cornerZ[i]},
-                                  {set.uX[i], set.uY[i], set.uZ[i]},
-                                  {set.vX[i], set.vY[i], set.vZ[i]}});
-}
-SampledShape shapeOf(const BoxSet& set, std::size_t i) {
-  Box<float> box{{set.centerX[i], set.centerY[i], set.centerZ[i]},
-                 {set.halfX[i], set.halfY[i], set.halfZ[i]},
-                 {{1.0f, 0.0f, 0.0f}, {0.0f, 1.0f, 0.0f}, {0.0f, 0.0f, 1.0f}}};
-  if (!set.rotationW.empty()) {
-    box.axes = axesOfQuaternion(set.rotationW[i], set.rotationX[i], set.rotationY[i], set.rotationZ[i]);
-  }
-  return SampledShape(box);
-}
-SampledShape shapeOf(const DiskSet& set, std::size_t i) {
-  return SampledShape(Disk<float>{{set.centerX[i], set.centerY[i], set.centerZ[i]},
-                                  {set.normalX[i], set.normalY[i], set.normalZ[i]},
-                                  set.radius[i]});
-}
-SampledShape shapeOf(const TriangleMesh& mesh, std::size_t i) {
-  const auto vertex = [&](std::size_t corner) { return mesh.positions[mesh.indices[3 * i + corner]]; };
-  return SampledShape(Triangle<float>{vertex(0), vertex(1), vertex(2)});
-}
-SampledShape shapeOf(const CustomShapeSet&, std::size_t) {
-  throw Error(ErrorKind::Scene, "a custom shape can be neither a light nor a sampling target");
-}
-
 // Two vectors are perpendicular, or of one length, to 1e-5.
 constexpr float kShapeTolerance = 1e-5f;
 bool perpendicular(Vec3f a, Vec3f b) { return absDot(a, b) <= kShapeTolerance * length(a) * length(b); }
@@ -140,10 +110,6 @@ Vec3f SampledShape::normalAt(Vec3f position) const {
   return visitShape(
       shape_, [&](const auto& s) { return steradian::normalAt(s, position); },
       [&](const auto& s) { return s.normalAt(position); });
-}
-
-SampledShape sampledShapeOf(const ShapeGeometry& geometry, std::size_t primitive) {
-  return std::visit([&](const auto& set) { return shapeOf(set, primitive); }, geometry);
 }
 
 SampledShape transformed(const SampledShape& shape, const Matrix& localToWorld) {

@@ -1,6 +1,5 @@
 #pragma once
 /// A primitive as a sampling target: light, window, glass sphere, box. Width 1.
-#include <cstddef>
 #include <memory>
 #include <variant>
 
@@ -10,7 +9,6 @@
 #include "steradian/accel/shapes/sphere.h"
 #include "steradian/accel/shapes/transformed_shape.h"
 #include "steradian/accel/shapes/triangle.h"
-#include "steradian/core/description.h"
 
 namespace steradian {
 
@@ -43,9 +41,6 @@ class SampledShape {
  private:
   Shape shape_;
 };
-
-/// Primitive `primitive` of a set. Throws Error (Scene) for custom shapes: they cannot be sampled.
-SampledShape sampledShapeOf(const ShapeGeometry& geometry, std::size_t primitive);
 
 /// The same shape, moved by an affine, invertible map; normals stay outward, also under mirrors. Quads and triangles
 /// stay what they are; spheres, disks and boxes as long as the map leaves them such (to 1e-5), else TransformedShape.

@@ -88,4 +88,11 @@ F pdfDirection(const Sphere<F>& sphere, Vec3<F> from, Vec3<F> wi) {
   return densityIf(view.outside | hit, select(view.outside, outside, F(kInvFourPi)));
 }
 
+/// The random numbers that sampleDirection makes the direction of; the nearest ones for a direction that misses.
+template <class F>
+Vec2<F> invertDirection(const Sphere<F>& sphere, Vec3<F> from, Vec3<F> wi) {
+  const detail::SphereView<F> view(sphere, from);
+  return select(view.outside, view.cone.invert(view.axes().toLocal(wi)), UniformSphere<F>::invert(wi));
+}
+
 }  // namespace steradian

@@ -115,6 +115,18 @@ struct TriangleView {
     const F sine = safeSqrt(h * (two - h)) / maximum(length(tangent), tiny);
     return normalize(b * (one - h) + tangent * sine);
   }
+
+  /// The random numbers that sampleUniform makes the unit vector of.
+  Vec2<F> invertUniform(Vec3<F> wi) const {
+    const F tiny(1e-30f);
+    // c' is where the great circle through b and wi meets the arc from a to c.
+    const Vec3<F> meeting = cross(cross(b, wi - b), cross(a, c));
+    const Vec3<F> c1 = faceForward(meeting, a + c) * (F(1.0f) / maximum(length(meeting), tiny));
+    // a + c' = p a + q c, times |a x c|.
+    const F q = length(cross(a, c1)), p = length(cross(a + c1, c));
+    const F part = F(2.0f) * arcTan2(q * volume, p * onePlusAB + q * cosC);
+    return {part / solidAngle, lengthSquared(wi - b) / maximum(lengthSquared(c1 - b), tiny)};
+  }
 };
 
 }  // namespace detail
@@ -143,6 +155,22 @@ F pdfDirection(const Triangle<F>& t, Vec3<F> from, Vec3<F> wi) {
   if (!any(hit.valid)) return F(0.0f);
   const detail::TriangleView<F> view(t, from);
   return densityIf(hit.valid & (view.height > F(0.0f)), view.pdf(hit.t));
+}
+
+/// The random numbers that sampleDirection makes the direction of; the nearest ones where the line misses the triangle.
+/// In a triangle of more than kUniformTriangleMin sr near b, where every u.x gives b, u.x loses its digits.
+template <class F>
+Vec2<F> invertDirection(const Triangle<F>& t, Vec3<F> from, Vec3<F> wi) {
+  const detail::TriangleView<F> view(t, from);
+  const Vec3<F> n = cross(view.ab, view.ac);
+  // The point of the plane by its weights of b and c.
+  const Vec3<F> offset = wi * (dot(view.toA, n) / dot(wi, n)) - view.toA;
+  const F scale = F(1.0f) / lengthSquared(n);
+  const auto toUnit = [](F u) { return clamp(u, F(0.0f), F(kOneMinusEpsilon)); };
+  const F wb = toUnit(dot(cross(offset, view.ac), n) * scale), wc = toUnit(dot(cross(view.ab, offset), n) * scale);
+  Vec2<F> u = UniformTriangle<F>::invert({wb, wc});
+  if (any(view.uniform)) u = select(view.uniform, view.invertUniform(wi), u);
+  return {toUnit(u.x), toUnit(u.y)};
 }
 
 }  // namespace steradian

@@ -9,10 +9,10 @@ const Disk<float> kDisk{{1.0f, 2.0f, 3.0f}, {0.6f, 0.0f, 0.8f}, 0.5f};
 
 TEST(DiskSamplingStat, Directions) {
   const Vec3f aside = kDisk.center + Vec3f{0.8f, 0.0f, -0.6f} * 1.5f;
-  EXPECT_TRUE(checkTarget(kDisk, kDisk.center + kDisk.normal * 2.0f));
-  EXPECT_TRUE(checkTarget(kDisk, kDisk.center - kDisk.normal * 0.3f));
-  EXPECT_TRUE(checkTarget(kDisk, kDisk.center + kDisk.normal * 100.0f));
-  EXPECT_TRUE(checkTarget(kDisk, aside + kDisk.normal * 0.3f));
+  EXPECT_TRUE(proveTarget(kDisk, kDisk.center + kDisk.normal * 2.0f));
+  EXPECT_TRUE(proveTarget(kDisk, kDisk.center - kDisk.normal * 0.3f));
+  EXPECT_TRUE(proveTarget(kDisk, kDisk.center + kDisk.normal * 100.0f));
+  EXPECT_TRUE(proveTarget(kDisk, aside + kDisk.normal * 0.3f));
 }
 
 TEST(DiskSamplingStat, Positions) {

@@ -15,7 +15,7 @@ testing::AssertionResult checkOnQuad(const Quad<float>& quad, Vec3f from) {
 
 TEST(QuadSamplingStat, LargeRectangles) {
   for (const Vec3f from : {Vec3f{0.0f, 0.0f, 0.0f}, Vec3f{-0.9f, -0.9f, 1.01f}, Vec3f{0.3f, 0.5f, 1.0001f}}) {
-    EXPECT_TRUE(checkTarget(kRectangle, from)) << from.x << ", " << from.y << ", " << from.z;
+    EXPECT_TRUE(proveTarget(kRectangle, from)) << from.x << ", " << from.y << ", " << from.z;
   }
   for (const Vec3f from :
        {Vec3f{0.0f, 0.0f, 0.0f}, Vec3f{3.0f, 0.5f, 0.3f}, Vec3f{0.3f, 0.5f, 1.3f}, Vec3f{-1.5f, 0.5f, 1.05f}}) {
@@ -24,20 +24,20 @@ TEST(QuadSamplingStat, LargeRectangles) {
 }
 
 TEST(QuadSamplingStat, SmallRectangles) {
-  EXPECT_TRUE(checkTarget(kRectangle, {0.0f, 0.0f, 20.0f}));
+  EXPECT_TRUE(proveTarget(kRectangle, {0.0f, 0.0f, 20.0f}));
   for (const Vec3f from : {Vec3f{0.0f, 0.0f, 20.0f}, Vec3f{5.0f, 3.0f, -9.0f}, Vec3f{4.0f, 0.5f, 1.1f}}) {
     EXPECT_TRUE(checkOnQuad(kRectangle, from)) << from.x << ", " << from.y << ", " << from.z;
   }
 }
 
 TEST(QuadSamplingStat, SkewQuads) {
-  EXPECT_TRUE(checkTarget(kSkew, {}));
+  EXPECT_TRUE(proveTarget(kSkew, {}));
   for (const Vec3f from : {Vec3f{0.0f, 0.0f, 0.0f}, Vec3f{2.0f, 1.0f, 3.0f}}) EXPECT_TRUE(checkOnQuad(kSkew, from));
 }
 
 TEST(QuadSamplingStat, Slivers) {
   // From as near as it is narrow it fills a wedge.
-  EXPECT_TRUE(checkTarget(kSliver, {0.3f, -0.999f, 0.999f}));
+  EXPECT_TRUE(proveTarget(kSliver, {0.3f, -0.999f, 0.999f}));
   EXPECT_TRUE(checkOnQuad(kSliver, {0.3f, -0.7f, 0.5f}));
   EXPECT_TRUE(checkOnQuad(kSliver, {0.3f, -0.7f, 0.99f}));
 }

@@ -10,15 +10,15 @@ const Sphere<float> kSphere{{1.0f, 2.0f, 3.0f}, 0.5f};
 TEST(SphereSamplingStat, Directions) {
   const Vec3f towards = normalize(Vec3f{0.3f, -0.5f, 0.2f});
   for (const float distance : {500.0f, 20.0f, 2.0f, 0.6f, 0.501f}) {
-    EXPECT_TRUE(checkTarget(kSphere, kSphere.center + towards * distance)) << distance;
+    EXPECT_TRUE(proveTarget(kSphere, kSphere.center + towards * distance)) << distance;
   }
-  EXPECT_TRUE(checkTarget(kSphere, kSphere.center + towards * 0.3f));
+  EXPECT_TRUE(proveTarget(kSphere, kSphere.center + towards * 0.3f));
 }
 
 TEST(SphereSamplingStat, DirectionsFromTheSurface) {
   CheckOptions options;
   options.noSample = 0.5;
-  EXPECT_TRUE(checkTarget(kSphere, kSphere.center + Vec3f{0.0f, 0.5f, 0.0f}, options));
+  EXPECT_TRUE(proveTarget(kSphere, kSphere.center + Vec3f{0.0f, 0.5f, 0.0f}, options));
 }
 
 TEST(SphereSamplingStat, Positions) {

@@ -14,6 +14,7 @@
 #include "steradian/core/rng.h"
 #include "steradian/core/scattering.h"
 #include "steradian/core/warp.h"
+#include "steradian/tests/support/lanes_check.h"
 
 namespace steradian::test {
 
@@ -108,6 +109,18 @@ S<Lanes<8>> packLanes(const std::array<S<float>, 8>& values) {
   return packed;
 }
 
+/// The same shape in every lane.
+template <class F, template <class> class S>
+S<F> broadcastShape(const S<float>& shape) {
+  if constexpr (widthOf<F> == 1) {
+    return shape;
+  } else {
+    std::array<S<float>, 8> values;
+    values.fill(shape);
+    return packLanes<S>(values);
+  }
+}
+
 /// Every function gives the same bits at width 8, where all lanes differ, as at width 1. `make(i)` is the i-th shape.
 template <template <class> class S, class Make>
 void expectSameAtAllWidths(const Make& make) {
@@ -131,6 +144,7 @@ void expectSameAtAllWidths(const Make& make) {
     const DirectionSample<F> direction = sampleDirection(shape, from, u);
     const PositionSample<F> position = samplePosition(shape, u);
     const F again = pdfDirection(shape, from, direction.wi), other = pdfDirection(shape, from, guess);
+    const Vec2<F> numbersAgain = invertDirection(shape, from, direction.wi);
     const F size = area(shape), density = pdfPosition(shape);
     const Vec3<F> normal = normalAt(shape, position.position);
     for (int k = 0; k < 8; ++k) {
@@ -144,6 +158,7 @@ void expectSameAtAllWidths(const Make& make) {
       ASSERT_TRUE(same(p.position, lane(position.position, k)) && same(p.normal, lane(position.normal, k)));
       ASSERT_EQ(p.pdf, position.pdf[k]);
       ASSERT_EQ(pdfDirection(one, viewer, d.wi), again[k]) << "round " << round << ", lane " << k;
+      ASSERT_TRUE(sameBits(invertDirection(one, viewer, d.wi), lane(numbersAgain, k))) << "round " << round;
       ASSERT_EQ(pdfDirection(one, viewer, lane(guess, k)), other[k]) << "round " << round << ", lane " << k;
       ASSERT_EQ(area(one), size[k]);
       ASSERT_EQ(pdfPosition(one), density[k]);

@@ -15,7 +15,7 @@ TEST(TriangleSamplingStat, LargeTriangles) {
   const Vec3f middle{-0.4f, 0.2f, 1.15f};
   for (const Vec3f from :
        {Vec3f{0.0f, 0.0f, 0.0f}, middle + Vec3f{0.0f, 0.0f, -0.05f}, kTriangle.b + Vec3f{-0.1f, 0.1f, 0.1f}}) {
-    EXPECT_TRUE(checkTarget(kTriangle, from)) << from.x << ", " << from.y << ", " << from.z;
+    EXPECT_TRUE(proveTarget(kTriangle, from)) << from.x << ", " << from.y << ", " << from.z;
   }
   EXPECT_TRUE(checkOnTriangle(kTriangle, {}));
   EXPECT_TRUE(checkOnTriangle(kTriangle, {0.5f, 3.0f, 0.2f}));
