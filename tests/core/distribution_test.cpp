@@ -93,6 +93,21 @@ TEST(PiecewiseConstant1D, EdgeCases) {
   EXPECT_EQ(uneven.sample(kOneMinusEpsilon).bin, 4u);
 }
 
+TEST(PiecewiseConstant1D, SamplesOfAHeavyBinStayInIt) {
+  // 4096 bins of one step each, but for number 4000: the last number of that one must not be rounded up to 4001.
+  std::vector<float> weights(4096, 1.0f);
+  weights[4000] = 1e12f;
+  const PiecewiseConstant1D d(weights);
+  const auto s = d.sample(1.0f - 96 * 0x1p-24f);
+  EXPECT_EQ(s.bin, 4000u);
+  EXPECT_LT(s.x, 4001.0f / 4096.0f);
+  EXPECT_EQ(d.pdf(s.x), s.pdf);
+  const PiecewiseConstant2D square(weights, 4096, 1);
+  const auto p = square.sample(Vec2f{1.0f - 96 * 0x1p-24f, 0.5f});
+  EXPECT_EQ(p.column, 4000u);
+  EXPECT_EQ(square.pdf(p.point), p.pdf);
+}
+
 TEST(Distribution, RejectsBadInput) {
   EXPECT_THROW(PiecewiseConstant1D(std::span<const float>{}), Error);
   EXPECT_THROW(PiecewiseConstant1D(std::array{1.0f, -1.0f}), Error);
@@ -152,6 +167,14 @@ TEST(PiecewiseConstant2D, SamplesInvertAndHaveTheirDensity) {
       EXPECT_NEAR(back.y, vs[i], 1e-5f);
     }
   }
+}
+
+TEST(PiecewiseConstant2D, ARowOfTinyWeightsKeepsItsProbability) {
+  // The ratio of the rows' sums is no float.
+  const PiecewiseConstant2D d(std::array{3e38f, 3e38f, 0.0f, 1e-45f}, 2, 2);
+  EXPECT_GT(d.pdf(Vec2f{0.75f, 0.75f}), 0.0f);
+  EXPECT_EQ(d.pdf(Vec2f{0.25f, 0.75f}), 0.0f);
+  EXPECT_EQ(d.sample(Vec2f{0.5f, kOneMinusEpsilon}).row, 1u);
 }
 
 TEST(PiecewiseConstant2D, AllZeroIsUniform) {

@@ -77,14 +77,17 @@ TEST(Rng, StreamsAreReproducibleAndDiffer) {
   std::array<RandomStream, 4> others{RandomStream(2, 2, 3, 4), RandomStream(1, 3, 3, 4), RandomStream(1, 2, 4, 4),
                                      RandomStream(1, 2, 3, 5)};
   std::array<int, 4> equal{};
+  std::set<float> seen;
   double sum = 0.0;
   for (int i = 0; i < 1000; ++i) {
     const float x = a.next();
+    seen.insert(x);
     EXPECT_EQ(x, same.next());
     EXPECT_TRUE(x >= 0.0f && x < 1.0f);
     sum += x;
     for (std::size_t k = 0; k < 4; ++k) equal[k] += others[k].next() == x;
   }
+  EXPECT_GE(seen.size(), 998u) << "of 2^24 numbers";
   EXPECT_NEAR(sum / 1000.0, 0.5, 0.04);
   for (const int count : equal) EXPECT_LE(count, 1);
 }

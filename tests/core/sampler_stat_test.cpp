@@ -80,6 +80,21 @@ TEST_P(SamplerStatistics, PixelsSeedsAndReplicatesAreIndependent) {
             suiteLevel());
 }
 
+TEST(SamplerRange, StratifiedNumbersAreNotRoundedUpToOne) {
+  // In the last of 2^22 strata every eighth number would be.
+  constexpr Word count = 1u << 22;
+  bool largest = false;
+  for (Word pixel = 0; pixel < 4; ++pixel) {
+    float most = 0.0f;
+    for (Word i = 0; i < count; ++i) {
+      most = std::max(most, Sampler<float>({SamplerType::Stratified, 0u, count, 1u}, pixel, i).get1D(0u));
+    }
+    ASSERT_LT(most, 1.0f);
+    largest = largest || most == kOneMinusEpsilon;
+  }
+  EXPECT_TRUE(largest) << "the case has not come up";
+}
+
 /// Mean and variance over pixels of the `kSamples`-sample estimate of f's integral.
 template <class Function>
 RunningMean estimates(const SamplerType type, Word samples, Word pixels, Function&& f) {

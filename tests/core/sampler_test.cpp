@@ -111,6 +111,16 @@ TEST(Sampler, StratifiedFillsEveryStratumOnce) {
   }
 }
 
+TEST(Sampler, StratifiedGridsHaveOrdersOfTheirOwn) {
+  // Sample i of one grid lies in the stratum of sample i of the next about once in 64.
+  const auto stratum = [](Word sample) {
+    return static_cast<int>(64.0f * Sampler<float>({SamplerType::Stratified, 1u, 64u, 1u}, 12u, sample).get1D(3u));
+  };
+  int equal = 0;
+  for (Word i = 0; i < 64; ++i) equal += stratum(i) == stratum(64 + i);
+  EXPECT_LE(equal, 8);
+}
+
 TEST(Sampler, EveryPartOfTheCoordinateMatters) {
   for (const SamplerType type : kTypes) {
     const auto draw = [&](Word seed, Word pixel, Word sample, Word dimension) {

@@ -82,6 +82,21 @@ TEST(Path, RouletteDoesNotTakeRefractionForAbsorption) {
   expectEverywhere(renderFilm(test::sphereInSky(DielectricMaterial{1.5f, false}), settings), 1.0, 1e-4);
 }
 
+TEST(Path, RouletteBeginsWithTheBounceThatTheSettingsSay) {
+  for (std::uint32_t start = 0; start < 4; ++start) {
+    PathSettings settings;
+    settings.maxDepth = 5;
+    settings.rouletteStart = start;
+    const Scene scene(test::furnace(0.25f, 1.0f));
+    const auto result = render(scene, PathIntegrator(settings), settingsOf(6, 6, 4));
+    for (std::uint32_t bounces = 0; bounces < start; ++bounces) {
+      EXPECT_EQ(result.statistics.paths.pathLengths[bounces], 0u) << start;
+    }
+    // Three of four paths, or more, end there.
+    EXPECT_GT(result.statistics.paths.pathLengths[start], 72u) << start;
+  }
+}
+
 TEST(Path, SurvivalIsAsProbableAsThePathIsBright) {
   EXPECT_FLOAT_EQ(survivalProbability(1.0f, {0.1f, 0.25f, 0.2f}, 1.0f), 0.25f);
   EXPECT_FLOAT_EQ(survivalProbability(1.0f, grey(0.25f), 2.25f), 0.5625f);

@@ -10,7 +10,6 @@ Exit code: 0, or 1 if a mutation goes unnoticed or does not compile.
 """
 
 import argparse
-import concurrent.futures
 import contextlib
 import dataclasses
 import fcntl
@@ -32,8 +31,8 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 WORK = ROOT / "build" / "mutate"
 TREE, BUILD, RESULTS = WORK / "tree", WORK / "build", WORK / "results.json"
 JOBS = len(os.sched_getaffinity(0))
-# A safety net for loops that a mutation makes endless: no test takes as long.
-TEST_SECONDS = 300
+# A safety net for loops that a mutation makes endless: so much longer than without it, and then some.
+SLOWER, SECONDS_MORE = 10.0, 30.0
 
 MIRRORED, WHOLE, SURVIVED, BROKEN = "mirrored test", "whole suite", "survived", "does not compile"
 PASSES = "passes its mirrored tests"  # the whole suite has not run yet
@@ -128,26 +127,14 @@ def build(tests: list[str]) -> tuple[bool, str]:
     return code == 0, output
 
 
-def failure_of(test: str) -> str:
+def failure_of(test: str, timeout: float | None = None) -> str:
     """Which test of the file fails; empty if none does."""
-    code, output = run([str(executable(test)), "--gtest_brief=1", "--gtest_fail_fast"], BUILD, TEST_SECONDS)
+    code, output = run([str(executable(test)), "--gtest_brief=1", "--gtest_fail_fast"], BUILD, timeout)
     if code == 0:
         return ""
     named = re.search(r"\[  FAILED  \] (\w+[./]\w[\w./]*)", output)
     how = named[1] if named else "timeout" if code == -1 else f"exit code {code}"
     return f"{test}: {how}"
-
-
-def first_failure(tests: list[str]) -> str:
-    """Runs them side by side until one fails."""
-    with concurrent.futures.ThreadPoolExecutor(JOBS) as pool:
-        running = [pool.submit(failure_of, test) for test in tests]
-        for finished in concurrent.futures.as_completed(running):
-            if finished.result():
-                for other in running:
-                    other.cancel()
-                return finished.result()
-    return ""
 
 
 def rooms() -> list[str]:
@@ -177,20 +164,29 @@ def applied(mutation: Mutation) -> Iterator[None]:
 
 class Runner:
     def __init__(self) -> None:
-        self.passed: set[str] = set()  # tests that are known to pass without a mutation
+        self.seconds: dict[str, float] = {}  # of the tests that are known to pass without a mutation
 
     def expect_green(self, tests: list[str]) -> None:
         """A test that fails anyway would notice every mutation."""
-        unknown = [test for test in tests if test not in self.passed]
+        unknown = [test for test in tests if test not in self.seconds]
         if not unknown:
             return
         good, output = build(unknown)
         if not good:
             raise Failure(f"without a mutation there is an error:\n{output[-4000:]}")
-        failure = first_failure(unknown)
-        if failure:
-            raise Failure(f"without a mutation there fails {failure}")
-        self.passed.update(unknown)
+        for test in unknown:
+            start = time.monotonic()
+            failure = failure_of(test)
+            if failure:
+                raise Failure(f"without a mutation there fails {failure}")
+            self.seconds[test] = time.monotonic() - start
+
+    def first_failure(self, tests: list[str]) -> str:
+        for test in tests:
+            failure = failure_of(test, SLOWER * self.seconds[test] + SECONDS_MORE)
+            if failure:
+                return failure
+        return ""
 
     def judge_mirrored(self, mutation: Mutation) -> Result:
         self.expect_green(list(mutation.tests))
@@ -199,7 +195,7 @@ class Runner:
                 good, output = build([test])
                 if not good:
                     return Result(BROKEN, output[-4000:])
-                failure = failure_of(test)
+                failure = self.first_failure([test])
                 if failure:
                     return Result(MIRRORED, failure)
         return Result(PASSES)
@@ -214,8 +210,8 @@ class Runner:
                 good, output = build(tests)
                 if not good:
                     return Result(BROKEN, output[-4000:])
-                changed = [test for test in tests if executable(test).stat().st_mtime_ns != before[test]]
-                failure = first_failure(changed)
+                # What has not been linked again cannot fail.
+                failure = self.first_failure([t for t in tests if executable(t).stat().st_mtime_ns != before[t]])
                 if failure:
                     return Result(WHOLE, failure)
         return Result(SURVIVED)
