@@ -88,6 +88,23 @@ TEST(Sobol, ScrambledBlocksAreNets) {
   }
 }
 
+TEST(Sobol, CoordinatesAreScrambledIndependently) {
+  // Of one point over random seeds, each digit of y is that of x half of the time.
+  constexpr int trials = 4096;
+  for (const Word index : {0u, 1u, 77u}) {
+    for (int bit = 0; bit < 12; ++bit) {
+      int equal = 0;
+      for (Word trial = 0; trial < trials; ++trial) {
+        const auto seeds = randomWords(trial, index, 4u, 5u);
+        const Vec2f p = owenSobol2D<float>(reverseBits(index), 6u, seeds[0], seeds[1]);
+        const auto digit = [&](float x) { return static_cast<int>(x * static_cast<float>(2 << bit)) & 1; };
+        equal += digit(p.x) == digit(p.y);
+      }
+      EXPECT_NEAR(equal, trials / 2, 5 * 32) << "bit " << bit << " of " << index;  // five standard deviations
+    }
+  }
+}
+
 TEST(Sobol, TheNetTestRejectsOthers) {
   std::vector<Vec2f> points;
   for (Word i = 0; i < 64; ++i) points.push_back(owenSobol2D<float>(reverseBits(i), 1u, 2u, 3u));

@@ -52,6 +52,15 @@ TEST(Warp, ConesAreStableWhenTiny) {
   }
 }
 
+TEST(Warp, SamplesOnTheRimOfAConeAreInside) {
+  for (const float h : test::numbers(200, 1e-9f, 2.0f)) {
+    const UniformCone<float> cone{h};
+    for (const float turn : unitNumbers(100)) {
+      EXPECT_GT(cone.pdf(cone.sample({kOneMinusEpsilon, turn})), 0.0f) << h << ' ' << turn;
+    }
+  }
+}
+
 TEST(Warp, FlightsAreFinite) {
   for (const float rate : {1e-6f, 1.0f, 3e4f}) {
     const ExponentialFlight<float> flight{rate};
