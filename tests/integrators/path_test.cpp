@@ -97,22 +97,6 @@ TEST(Path, RouletteBeginsWithTheBounceThatTheSettingsSay) {
   }
 }
 
-TEST(Path, SurvivalIsAsProbableAsThePathIsBright) {
-  EXPECT_FLOAT_EQ(survivalProbability(1.0f, {0.1f, 0.25f, 0.2f}, 1.0f), 0.25f);
-  EXPECT_FLOAT_EQ(survivalProbability(1.0f, grey(0.25f), 2.25f), 0.5625f);
-  EXPECT_FLOAT_EQ(survivalProbability(0.5f, grey(0.25f), 1.0f), 0.625f);
-  EXPECT_FLOAT_EQ(survivalProbability(0.0f, grey(0.25f), 1.0f), 1.0f);
-  EXPECT_FLOAT_EQ(survivalProbability(1.0f, grey(7.0f), 1.0f), 1.0f);
-}
-
-TEST(Path, StrategiesDifferByTheCompetingDensity) {
-  EXPECT_EQ(competingDensity(Strategy::Mis, true, 0.3f), 0.3f);
-  EXPECT_EQ(competingDensity(Strategy::Mis, true, kDirac), kDirac);
-  EXPECT_EQ(competingDensity(Strategy::Light, true, 0.3f), 0.0f);
-  EXPECT_EQ(competingDensity(Strategy::Light, true, kDirac), kDirac);
-  EXPECT_EQ(competingDensity(Strategy::Light, false, 0.3f), kDirac);
-}
-
 TEST(Path, DiracLightsAreSampledInEveryStrategy) {
   // The radiance of a white floor is E / pi, with E = I cos / d^2 or the irradiance times the cosine.
   const std::pair<LightModel, double> cases[]{
