@@ -135,6 +135,23 @@ TEST(LightSet, FindsLightsOfInstancesAndPrimitives) {
   EXPECT_GT(there.x, 8.9f);
 }
 
+TEST(LightSet, FindsEveryPrimitiveOfAShape) {
+  SceneDescription scene;
+  addEmitter(scene, sphere({0, 5, 0}, 1.0f), kRadiance);
+  QuadSet squares = ceilingSquare(1.0f, 1.0f);
+  squares.add({4, 1, 0}, {2, 0, 0}, {0, 0, 2});
+  squares.add({8, 1, 0}, {3, 0, 0}, {0, 0, 3});
+  const Id shape = addEmitter(scene, squares, kRadiance);
+  const LightSet lights(scene, kBounds);
+  for (Id primitive = 0; primitive < 3; ++primitive) {
+    SurfacePoint<float> hit;
+    hit.valid = true;
+    hit.shape = shape, hit.primitive = primitive;
+    const float edge = static_cast<float>(primitive) + 1.0f;
+    EXPECT_FLOAT_EQ(lights.areas()[*lights.areas().find(hit)].shape().area(), edge * edge);
+  }
+}
+
 TEST(LightSet, SelectsByPower) {
   SceneDescription scene;
   addEmitter(scene, ceilingSquare(1.0f, 1.0f), grey(1.0f), false, "square");     // pi
