@@ -242,6 +242,22 @@ void setLane(IntLanes<T, N>& x, int i, T value) {
   x.set(i, value);
 }
 
+/// Quotient of unsigned integers; the remainder goes to `remainder`. (No machine divides vectors of integers.)
+inline std::uint32_t divide(std::uint32_t dividend, std::uint32_t divisor, std::uint32_t& remainder) {
+  remainder = dividend % divisor;
+  return dividend / divisor;
+}
+template <int N>
+IntLanes<std::uint32_t, N> divide(IntLanes<std::uint32_t, N> dividend, std::uint32_t divisor,
+                                  IntLanes<std::uint32_t, N>& remainder) {
+  IntLanes<std::uint32_t, N> quotient;
+  for (int i = 0; i < N; ++i) {
+    quotient.v[i] = dividend.v[i] / divisor;
+    remainder.v[i] = dividend.v[i] % divisor;
+  }
+  return quotient;
+}
+
 /// `width` consecutive floats from memory (no alignment needed), and back.
 template <class F>
 F load(const float* from) {

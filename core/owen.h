@@ -11,7 +11,7 @@ namespace steradian {
 
 /// The 32 bits in opposite order.
 template <class U>
-U reverseBits(U x) {
+constexpr U reverseBits(U x) {
   if constexpr (std::is_same_v<U, std::uint32_t>) {
     x = __builtin_bswap32(x);
   } else {

@@ -15,7 +15,7 @@ F toUnitFloat(UintOf<F> bits) {
 
 /// Mixes 32 bits (Wellons' "lowbias32" constants); a bijection.
 template <class U>
-U mixBits(U x) {
+constexpr U mixBits(U x) {
   x ^= x >> 16;
   x *= U(0x7feb352du);
   x ^= x >> 15;

@@ -3,7 +3,7 @@
 namespace steradian {
 
 std::optional<SamplerType> samplerTypeOf(std::string_view name) {
-  for (const SamplerType type : {SamplerType::Independent, SamplerType::Stratified, SamplerType::Sobol}) {
+  for (const SamplerType type : kSamplerTypes) {
     if (name == nameOf(type)) return type;
   }
   return std::nullopt;
@@ -15,8 +15,16 @@ std::string_view nameOf(SamplerType type) {
       return "independent";
     case SamplerType::Stratified:
       return "stratified";
+    case SamplerType::Halton:
+      return "halton";
     case SamplerType::Sobol:
       break;
+    case SamplerType::SobolFull:
+      return "sobol-full";
+    case SamplerType::BlueNoise:
+      return "blue-noise";
+    case SamplerType::Pmj02:
+      return "pmj02";
   }
   return "sobol";
 }

@@ -5,94 +5,96 @@
 /// estimators with different branches stay aligned. One dimension has up to two coordinates: draw it once, by get1D or
 /// by get2D.
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string_view>
 
-#include "steradian/core/permutation.h"
+#include "steradian/core/blue_noise.h"
+#include "steradian/core/halton.h"
+#include "steradian/core/pmj02.h"
 #include "steradian/core/rng.h"
+#include "steradian/core/sample_dimension.h"
 #include "steradian/core/sobol.h"
+#include "steradian/core/sobol_full.h"
+#include "steradian/core/stratified.h"
 
 namespace steradian {
 
-/// What a random number is for; one or two coordinates each.
-enum class Purpose : std::uint32_t {
-  Film,           ///< 2D, bounce 0 only: place in the pixel
-  Lens,           ///< 2D, bounce 0 only
-  Time,           ///< 1D, bounce 0 only
-  BsdfLobe,       ///< 1D
-  BsdfDirection,  ///< 2D
-  LightSelect,    ///< 1D
-  LightPosition,  ///< 2D
-  Roulette,       ///< 1D
-  Mixture,        ///< 1D: which density of the mixture
-  Phase,          ///< 2D: scattering in a medium
-  Count
-};
-inline constexpr std::uint32_t kPurposeCount = static_cast<std::uint32_t>(Purpose::Count);
-
-template <class U>
-U dimensionOf(U bounce, Purpose purpose) {
-  return bounce * U(kPurposeCount) + U(static_cast<std::uint32_t>(purpose));
-}
-
-enum class SamplerType { Independent, Stratified, Sobol };
-/// "independent", "stratified", "sobol"; nothing for any other name.
+/// See Sampler for what they are.
+enum class SamplerType { Independent, Stratified, Halton, Sobol, SobolFull, BlueNoise, Pmj02 };
+inline constexpr std::array kSamplerTypes{SamplerType::Independent, SamplerType::Stratified, SamplerType::Halton,
+                                          SamplerType::Sobol,       SamplerType::SobolFull,  SamplerType::BlueNoise,
+                                          SamplerType::Pmj02};
+/// "independent", "stratified", "halton", "sobol", "sobol-full", "blue-noise", "pmj02"; nothing for any other name.
 std::optional<SamplerType> samplerTypeOf(std::string_view name);
 std::string_view nameOf(SamplerType type);
+
+/// Whether the points depend on the number of samples: Stratified and BlueNoise. All others are progressive: the first
+/// samples of a longer render are those of a shorter one.
+constexpr bool needsSampleCount(SamplerType type) {
+  return type == SamplerType::Stratified || type == SamplerType::BlueNoise;
+}
 
 struct SamplerSettings {
   SamplerType type = SamplerType::Sobol;
   std::uint32_t seed = 0;
-  std::uint32_t samplesPerPixel = 1;  ///< Stratified needs the count beforehand; the others are progressive
+  std::uint32_t samplesPerPixel = 1;  ///< counts only if needsSampleCount(type)
   std::uint32_t replicates = 1;       ///< R: sample i belongs to the independently scrambled sequence i mod R
 };
 
-/// The coordinates of one sample (width 1) or of several at once, each with a pixel and an index of its own.
+/// The coordinates of one sample (width 1) or of several at once, each with a pixel and an index of its own. A pixel is
+/// known by its Morton number (core/morton.h); for all but BlueNoise any other will do.
 ///
 /// Independent: pcg4d of (pixel, sample, dimension, seed).
-/// Stratified: jittered, per dimension in its own random order: 1D in `count` strata, 2D in a grid of about sqrt(count)
-/// x sqrt(count) cells, where count = samplesPerPixel / replicates; samples beyond the count begin another grid. Sobol:
-/// Owen-scrambled copies of the first two Sobol' dimensions (core/sobol.h), an independent one per pixel, dimension and
-/// replicate. Any aligned block of 2^m consecutive samples is a (0,m,2)-net in each dimension.
+/// Stratified (core/stratified.h): jittered, per dimension in its own random order: 1D in `count` strata, 2D in a grid
+/// of about sqrt(count) x sqrt(count) cells, where count = samplesPerPixel / replicates; samples beyond the count begin
+/// another grid.
+/// Halton (core/halton.h): scrambled, an independent scramble per pixel, dimension and replicate; stratified over all
+/// dimensions of bounce 0 together, padded beyond.
+/// Sobol: Owen-scrambled copies of the first two Sobol' dimensions (core/sobol.h), an independent one per pixel,
+/// dimension and replicate. Any aligned block of 2^m consecutive samples is a (0,m,2)-net in each dimension.
+/// SobolFull (core/sobol_full.h): Owen-scrambled, coordinates 2 d and 2 d + 1 for dimension d, so that the first 128
+/// dimensions (12 bounces) are stratified together; those beyond begin again with another order of the samples. Any
+/// aligned block of 2^m samples is stratified in each coordinate, and in dimension 0 it is a (0,m,2)-net.
+/// BlueNoise (core/blue_noise.h): as Sobol, but one copy per dimension and replicate for a square of pixels. Each
+/// pixel's `count` samples, rounded up to a power of two, are a (0,m,2)-net; samples beyond begin another copy.
+/// Pmj02 (core/pmj02.h): shuffled and shifted copies of 4096 progressive multi-jittered (0,2) samples, one per pixel,
+/// dimension and replicate, with the same nets as Sobol; every 4096 samples begin another copy.
 template <class F>
 class Sampler {
  public:
   Sampler(const SamplerSettings& settings, UintOf<F> pixel, UintOf<F> sample)
       : settings_(settings), pixel_(pixel), sample_(sample), index_(sample) {
-    if (settings.replicates > 1) index_ = divide(sample, settings.replicates, replicate_);
-    if (settings.type == SamplerType::Sobol) index_ = reverseBits(index_);
+    if (settings.replicates > 1) index_ = divide(sample, settings.replicates, sequence_);
+    if (settings.type == SamplerType::Sobol) {
+      index_ = reverseBits(index_);
+    } else {
+      prepareIndex();
+    }
   }
 
   /// In [0, 1).
   F get1D(UintOf<F> dimension) const {
-    switch (settings_.type) {
-      case SamplerType::Independent:
-        return toUnitFloat<F>(independentWords(dimension)[0]);
-      case SamplerType::Stratified:
-        return stratified1D(dimension);
-      case SamplerType::Sobol:
-        break;
+    if (settings_.type == SamplerType::Sobol) {
+      const Words key = sequenceKey(dimension);
+      return owenSobol1D<F>(index_, key[0], key[1]);
     }
-    const auto key = sequenceKey(dimension, replicate_);
-    return owenSobol1D<F>(index_, key[0], key[1]);
+    if (settings_.type == SamplerType::Independent) return toUnitFloat<F>(independentWords(dimension)[0]);
+    return other1D(dimension);
   }
 
   /// In [0, 1)^2.
   Vec2<F> get2D(UintOf<F> dimension) const {
-    switch (settings_.type) {
-      case SamplerType::Independent: {
-        const auto words = independentWords(dimension);
-        return {toUnitFloat<F>(words[0]), toUnitFloat<F>(words[1])};
-      }
-      case SamplerType::Stratified:
-        return stratified2D(dimension);
-      case SamplerType::Sobol:
-        break;
+    if (settings_.type == SamplerType::Sobol) {
+      const Words key = sequenceKey(dimension);
+      return owenSobol2D<F>(index_, key[0], key[1], key[2]);
     }
-    const auto key = sequenceKey(dimension, replicate_);
-    return owenSobol2D<F>(index_, key[0], key[1], key[2]);
+    if (settings_.type == SamplerType::Independent) {
+      const Words words = independentWords(dimension);
+      return {toUnitFloat<F>(words[0]), toUnitFloat<F>(words[1])};
+    }
+    return other2D(dimension);
   }
 
   F get1D(UintOf<F> bounce, Purpose purpose) const { return get1D(dimensionOf(bounce, purpose)); }
@@ -106,58 +108,105 @@ class Sampler {
   using Uint = UintOf<F>;
   using Words = std::array<Uint, 4>;
 
-  /// Quotient; the remainder goes to `remainder`. (No machine divides vectors of integers.)
-  static Uint divide(Uint dividend, std::uint32_t divisor, Uint& remainder) {
-    Uint quotient(0u);
-    for (int i = 0; i < widthOf<F>; ++i) {
-      setLane(quotient, i, lane(dividend, i) / divisor);
-      setLane(remainder, i, lane(dividend, i) % divisor);
-    }
-    return quotient;
-  }
-
-  Words independentWords(Uint dimension) const { return randomWords(pixel_, sample_, dimension, Uint(settings_.seed)); }
-  /// What all samples of one sequence share.
-  Words sequenceKey(Uint dimension, Uint sequence) const {
-    return randomWords(pixel_, dimension, sequence, Uint(settings_.seed ^ 0x50b01u));
-  }
-
-  /// The number of the stratum among `strata` >= count, different for the samples of one grid.
-  Uint stratum(Uint dimension, std::uint32_t count, std::uint32_t strata) const {
-    Uint place(0u);
-    const Uint grid = divide(index_, count, place);
-    return permute(place, strata, sequenceKey(dimension, replicate_ ^ (mixBits(grid) << 8)));
-  }
-  /// Samples of one grid; no more than floats can tell apart.
-  std::uint32_t strataCount() const {
-    const std::uint32_t replicates = settings_.replicates > 1 ? settings_.replicates : 1;
+  /// Samples of one sequence; no more than floats can tell apart.
+  std::uint32_t sampleCount() const {
+    const std::uint32_t replicates = std::max(settings_.replicates, 1u);
     const std::uint32_t count = settings_.samplesPerPixel / replicates + (settings_.samplesPerPixel % replicates != 0);
     return std::clamp(count, 1u, 1u << 24);
   }
-  /// (cell + jitter) / cells; rounding must not reach 1.
-  static F jittered(Uint cell, Uint jitter, std::uint32_t cells) {
-    const F x = (toFloat(toSigned(cell)) + toUnitFloat<F>(jitter)) / F(static_cast<float>(cells));
-    return minimum(x, F(kOneMinusEpsilon));
+  BlueNoiseLayout layout() const { return BlueNoiseLayout::of(sampleCount()); }
+
+  /// Replaces the index by what the type wants, and begins another sequence (`round`) where one ends.
+  void prepareIndex() {
+    Uint round(0u);
+    switch (settings_.type) {
+      case SamplerType::Stratified: {
+        Uint place(0u);
+        round = divide(index_, sampleCount(), place);
+        index_ = place;
+        break;
+      }
+      case SamplerType::BlueNoise:
+        round = index_ >> layout().sampleBits;
+        index_ = blueNoiseIndex(pixel_, index_, layout());
+        break;
+      case SamplerType::Pmj02:
+        round = index_ >> kPmj02Bits;
+        index_ = reverseBits(index_);
+        break;
+      default:
+        break;
+    }
+    sequence_ ^= mixBits(round) << 8;
   }
-  F stratified1D(Uint dimension) const {
-    const std::uint32_t count = strataCount();
-    return jittered(stratum(dimension, count, count), independentWords(dimension)[0], count);
+
+  Words independentWords(Uint dimension) const { return randomWords(pixel_, sample_, dimension, Uint(settings_.seed)); }
+  /// What all samples of one sequence share; `owner` is the pixel, if a sequence belongs to one.
+  Words sequenceKey(Uint dimension, Uint owner) const {
+    return randomWords(owner, dimension, sequence_, Uint(settings_.seed ^ 0x50b01u));
   }
-  Vec2<F> stratified2D(Uint dimension) const {
-    const std::uint32_t count = strataCount();
-    // Columns times rows may exceed the count: then some random cells stay empty, and each sample is uniform still.
-    const auto columns = static_cast<std::uint32_t>(std::sqrt(static_cast<double>(count)));
-    const std::uint32_t rows = (count + columns - 1) / columns;
-    Uint column(0u);
-    const Uint row = divide(stratum(dimension, count, columns * rows), columns, column);
-    const Words jitter = independentWords(dimension);
-    return {jittered(column, jitter[0], columns), jittered(row, jitter[1], rows)};
+  Words sequenceKey(Uint dimension) const { return sequenceKey(dimension, pixel_); }
+  Words blueNoiseKey(Uint dimension) const { return sequenceKey(dimension, blueNoiseSquare(pixel_, layout())); }
+
+  F other1D(Uint dimension) const {
+    switch (settings_.type) {
+      case SamplerType::Stratified:
+        return stratified1D<F>(index_, sampleCount(), sequenceKey(dimension), independentWords(dimension)[0]);
+      case SamplerType::Halton: {
+        const Words key = sequenceKey(dimension);
+        return halton<F>(index_, dimension, 0, key[0], key[1]);
+      }
+      case SamplerType::SobolFull:
+        return sobolFull2D(dimension).x;
+      case SamplerType::BlueNoise:
+        return blueNoise1D<F>(index_, layout(), blueNoiseKey(dimension));
+      default: {  // Pmj02
+        const Words key = sequenceKey(dimension);
+        return pmj02<F>(index_, key[0], key[1], key[2]).x;
+      }
+    }
+  }
+
+  Vec2<F> other2D(Uint dimension) const {
+    switch (settings_.type) {
+      case SamplerType::Stratified: {
+        const Words jitter = independentWords(dimension);
+        return stratified2D<F>(index_, sampleCount(), sequenceKey(dimension), jitter[0], jitter[1]);
+      }
+      case SamplerType::Halton: {
+        const Words key = sequenceKey(dimension);
+        return {halton<F>(index_, dimension, 0, key[0], key[1]), halton<F>(index_, dimension, 1, key[2], key[3])};
+      }
+      case SamplerType::SobolFull:
+        return sobolFull2D(dimension);
+      case SamplerType::BlueNoise:
+        return blueNoise2D<F>(index_, layout(), blueNoiseKey(dimension));
+      default: {  // Pmj02
+        const Words key = sequenceKey(dimension);
+        return pmj02<F>(index_, key[0], key[1], key[2]);
+      }
+    }
+  }
+
+  Vec2<F> sobolFull2D(Uint dimension) const {
+    constexpr int bits = 7;
+    static_assert(kSobolCoordinates == 2u << bits);
+    const Uint block = dimension >> bits;
+    Uint index = index_;
+    if (any(block != Uint(0u))) {
+      // A nested scramble keeps the nets, and unties this block's points from those of the others.
+      index = select(block != Uint(0u), owenScramble(index, sequenceKey(~block)[3]), index);
+    }
+    // A scramble turns the lowest bits of its word, the least random ones, into the highest of the coordinate. (Where
+    // the index is shuffled too, this does no harm; here neighbouring pixels would be alike.)
+    const Words key = sequenceKey(dimension);
+    return owenSobolFull2D<F>(index, (dimension & Uint((1u << bits) - 1u)) << 1, mixBits(key[0]), mixBits(key[1]));
   }
 
   SamplerSettings settings_;
   Uint pixel_, sample_;
-  Uint index_;  ///< in its sequence; bit-reversed for Sobol
-  Uint replicate_ = Uint(0u);
+  Uint index_;                ///< in its sequence, as the type wants it: for Sobol and Pmj02 bit-reversed
+  Uint sequence_ = Uint(0u);  ///< replicate; and the round, for types whose sequences end
 };
 
 }  // namespace steradian

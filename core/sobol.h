@@ -11,7 +11,7 @@ namespace steradian {
 /// index. Pascal's triangle mod 2 is the fivefold Kronecker product of [1 1; 0 1] (Lucas), so the product takes five
 /// steps and no table.
 template <class U>
-U pascalTimes(U index) {
+constexpr U pascalTimes(U index) {
   index ^= (index >> 1) & U(0x55555555u);
   index ^= (index >> 2) & U(0x33333333u);
   index ^= (index >> 4) & U(0x0f0f0f0fu);

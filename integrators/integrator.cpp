@@ -16,7 +16,7 @@ void renderTile(const RadianceIntegrator& integrator, const RenderJob& job, Pass
   std::vector<PixelSample> samples(pass.count());
   for (int y = tile.y0; y < tile.y1; ++y) {
     for (int x = tile.x0; x < tile.x1; ++x) {
-      const std::uint32_t pixel = job.pixelKey(x, y);
+      const std::uint32_t pixel = RenderJob::pixelKey(x, y);
       for (std::uint32_t i = 0; i < pass.count(); ++i) {
         const Sampler<float> sampler(job.samplerSettings, pixel, pass.first + i);
         const WeightedRay camera = job.cameraRay(x, y, sampler);

@@ -46,11 +46,12 @@ void check(const RenderSettings& given, const RenderSettings& settings) {
   }
   if (given.timeLimit && !(*given.timeLimit > 0.0)) wrong.error({}, "the time limit must be above 0 s");
   if (given.tileSize < 1) wrong.error({}, "the tile size must be at least 1 pixel");
-  if (given.sampler == SamplerType::Stratified && !given.samplesPerPixel && given.timeLimit) {
-    wrong.error({}, "the stratified sampler needs the number of samples besides the time limit");
+  if (needsSampleCount(given.sampler) && !given.samplesPerPixel && given.timeLimit) {
+    wrong.error(
+        {}, fmt::format("the {} sampler needs the number of samples besides the time limit", nameOf(given.sampler)));
   }
-  if (given.sampler == SamplerType::Stratified && given.firstSample > 0) {
-    wrong.error({}, "the stratified sampler cannot render a part of its samples");
+  if (needsSampleCount(given.sampler) && given.firstSample > 0) {
+    wrong.error({}, fmt::format("the {} sampler cannot render a part of its samples", nameOf(given.sampler)));
   }
   wrong.throwIfErrors(ErrorKind::Usage);
 }
@@ -97,9 +98,11 @@ RenderResult render(const Scene& scene, const Integrator& integrator, const Rend
     fraction = std::min(1.0, std::max({fraction, static_cast<double>(samples) / total, ofTime}));
     progress({fraction, seconds, samples, done});
   });
-  const RenderJob job{scene,           camera,
-                      settings.filter, {settings.sampler, settings.seed, samplesPerPixel, settings.replicates},
-                      *settings.width, settings.tileSize,
+  const RenderJob job{scene,
+                      camera,
+                      settings.filter,
+                      {settings.sampler, settings.seed, samplesPerPixel, settings.replicates},
+                      settings.tileSize,
                       monitor};
 
   while (done < samplesPerPixel && !stop.stop_requested()) {

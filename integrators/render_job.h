@@ -10,6 +10,7 @@
 #include "steradian/core/camera.h"
 #include "steradian/core/film.h"
 #include "steradian/core/filter.h"
+#include "steradian/core/morton.h"
 #include "steradian/core/sampler.h"
 #include "steradian/integrators/render_statistics.h"
 
@@ -68,13 +69,13 @@ struct RenderJob {
   const Camera& camera;
   const Filter& filter;
   SamplerSettings samplerSettings;
-  int width;  ///< of the full picture
   int tileSize;
   RenderMonitor& monitor;
 
-  /// What the sampler knows pixel (x, y) by: its place in the full picture.
-  std::uint32_t pixelKey(int x, int y) const {
-    return static_cast<std::uint32_t>(y) * static_cast<std::uint32_t>(width) + static_cast<std::uint32_t>(x);
+  /// What the sampler knows pixel (x, y) by: its place in the full picture. Squares of 65536 pixels differ at random.
+  static std::uint32_t pixelKey(int x, int y) {
+    const auto column = static_cast<std::uint32_t>(x), row = static_cast<std::uint32_t>(y);
+    return mortonOf(column, row) ^ mixBits((row & 0xffff0000u) | (column >> 16));
   }
   WeightedRay cameraRay(int x, int y, const Sampler<float>& sampler) const;
 };

@@ -16,8 +16,8 @@ struct RenderSettings {
   std::optional<Crop> crop = std::nullopt;
   /// Nothing: as the scene says, or with a time limit as many as it allows.
   std::optional<std::uint32_t> samplesPerPixel = std::nullopt;
-  /// Index of the first sample: shards of one picture render different ranges with the same seed. Not with the
-  /// stratified sampler, whose strata are those of all samples.
+  /// Index of the first sample: shards of one picture render different ranges with the same seed. Not with a
+  /// sampler whose points depend on the number of all samples: needsSampleCount() (core/sampler.h).
   std::uint32_t firstSample = 0;
   /// Seconds of rendering. No pass begins that would probably exceed it; the first pass always ends.
   std::optional<double> timeLimit = std::nullopt;

@@ -84,6 +84,12 @@ std::vector<Output> checkOutputs(const RenderTexts& texts, Arguments& arguments)
   return outputs;
 }
 
+std::vector<std::string> samplerNames() {
+  std::vector<std::string> names;
+  for (const SamplerType type : kSamplerTypes) names.emplace_back(nameOf(type));
+  return names;
+}
+
 std::optional<Filter> checkFilter(const std::string& text, Arguments& arguments) {
   const std::size_t colon = text.find(':');
   std::optional<float> radius;
@@ -153,8 +159,7 @@ RenderSettings checkSettings(const RenderTexts& texts, Arguments& arguments) {
   if (const auto type = samplerTypeOf(sampler)) {
     settings.sampler = *type;
   } else {
-    arguments.problem(fmt::format("--sampler: unknown sampler \"{}\"", sampler),
-                      didYouMean(sampler, {"independent", "stratified", "sobol"}));
+    arguments.problem(fmt::format("--sampler: unknown sampler \"{}\"", sampler), didYouMean(sampler, samplerNames()));
   }
   if (const auto filter = checkFilter(texts.filter.value_or("box"), arguments)) settings.filter = *filter;
   return settings;
@@ -196,7 +201,9 @@ void declareRenderOptions(CLI::App& command, RenderTexts& texts) {
   option("--target", texts.targets, "NAMES",
          "what `mixture` aims at: names of shapes, or lights;\nseparated by commas (default: the scene's)");
   option("--crop", texts.crop, "x0,x1,y0,y1", "render only these pixels; y counts from the top");
-  option("--sampler", texts.sampler, "NAME", "independent, stratified or sobol (default)");
+  option("--sampler", texts.sampler, "NAME",
+         "independent, stratified, halton, sobol (default),\nsobol-full, blue-noise or pmj02; stratified and\n"
+         "blue-noise need --spp besides --time");
   option("--filter", texts.filter, "NAME{:RADIUS}",
          "box (default), triangle, gaussian, mitchell or\nblackman-harris; the radius in pixels");
   option("--replicates", texts.replicates, "R", "that many independent sequences: unbiased standard errors");

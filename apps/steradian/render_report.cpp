@@ -92,8 +92,7 @@ void warnAboutDroppedSamples(const std::string& sceneName, const RenderOptions& 
   const auto dropped = result.film.dropped();
   if (dropped.empty()) return;
   const DroppedSample& first = dropped.front();
-  // The stratified sampler's points depend on their number, those of the others do not.
-  const bool fixedCount = result.settings.sampler == SamplerType::Stratified;
+  const bool fixedCount = needsSampleCount(result.settings.sampler);
   const std::uint32_t count = fixedCount ? result.settings.samplesPerPixel.value_or(1) : first.sample + 1;
   printErr(
       fmt::format("warning: {} samples were not finite and were dropped; the first again:\n"

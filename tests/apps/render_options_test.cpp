@@ -94,6 +94,11 @@ TEST(RenderOptions, ACropIsCheckedAgainstTheScenesSizeIfNoOtherIsGiven) {
   EXPECT_TRUE(contains(complaint({"--crop", "0,601,0,600"}), "x1 <= 600"));
 }
 
+TEST(RenderOptions, EverySamplerHasAName) {
+  for (const SamplerType type : kSamplerTypes)
+    EXPECT_EQ(parse({"--sampler", std::string(nameOf(type))}).settings.sampler, type);
+}
+
 TEST(RenderOptions, FilesWithoutAnExtensionTakeTheFormat) {
   const RenderOptions options = parse({"-o", "-", "-o", "/dev/null", "-o", "pipe", "-o", "a.jpg", "--format", "ppm"});
   ASSERT_EQ(options.outputs.size(), 4u);
@@ -137,6 +142,8 @@ TEST(RenderOptions, NamesThatNobodyKnows) {
       {{"-o", "-", "--format", "png", "--stats=json"}, "cannot both go to standard output"},
       {{"--stats=jsn"}, R"(unknown format "jsn" (did you mean "json"?))"},
       {{"--sampler", "sobl"}, R"(unknown sampler "sobl" (did you mean "sobol"?))"},
+      {{"--sampler", "blue-nose"}, R"(unknown sampler "blue-nose" (did you mean "blue-noise"?))"},
+      {{"--sampler", "pmj2"}, R"(unknown sampler "pmj2" (did you mean "pmj02"?))"},
       {{"--sampler", ""}, R"(unknown sampler "")"},
       {{"--filter", "gaus"}, R"(unknown filter "gaus" (did you mean "gaussian"?))"},
       {{"--view", "aces sdr"}, R"(unknown view "aces sdr")"},

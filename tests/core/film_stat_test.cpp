@@ -125,16 +125,25 @@ TEST(FilmStatistics, IntervalsCoverWithIndependentReplicates) {
   }
 }
 
+void expectCoverage(const Integrand& integrand, SamplerType type, std::uint32_t count, double least) {
+  const SamplerSettings settings{.type = type, .seed = 3, .samplesPerPixel = count};
+  const Honesty h = honestyOf(estimate(integrand, settings), integrand.integral);
+  EXPECT_GE(h.coverage, least) << label(integrand, settings);
+  EXPECT_GE(h.meanVariance, 0.87 * h.actualVariance) << label(integrand, settings);
+}
+
 TEST(FilmStatistics, IntervalsCoverWithSubSequences) {
   for (const Integrand& integrand : integrands()) {
-    for (const SamplerType type : {SamplerType::Independent, SamplerType::Sobol}) {
-      for (const std::uint32_t count : {64u, 100u, 128u, 256u}) {
-        const SamplerSettings settings{.type = type, .seed = 3, .samplesPerPixel = count};
-        const Honesty h = honestyOf(estimate(integrand, settings), integrand.integral);
-        EXPECT_GE(h.coverage, 0.93) << label(integrand, settings);
-        EXPECT_GE(h.meanVariance, 0.87 * h.actualVariance) << label(integrand, settings);
-      }
+    for (const std::uint32_t count : {64u, 100u, 128u, 256u}) {
+      expectCoverage(integrand, SamplerType::Independent, count, 0.93);
+      expectCoverage(integrand, SamplerType::Sobol, count, 0.93);
     }
+    expectCoverage(integrand, SamplerType::Halton, 64, 0.93);
+    expectCoverage(integrand, SamplerType::BlueNoise, 128, 0.93);
+    expectCoverage(integrand, SamplerType::Pmj02, 128, 0.93);
+    // Pieces of the full sequence may all miss the same part of a pair of coordinates ("bounce": 87 %), so of it only
+    // the mean variance is promised (core/standard_error.h).
+    expectCoverage(integrand, SamplerType::SobolFull, 128, 0.85);
   }
 }
 

@@ -119,6 +119,20 @@ TYPED_TEST(LanesOfWidth, MemoryRoundTripsAndGathers) {
   }
 }
 
+TYPED_TEST(LanesOfWidth, DividesAsScalarsDo) {
+  for (const std::uint32_t divisor : {1u, 3u, 64u, 0xffffffffu}) {
+    UintOf<TypeParam> dividend(0u), remainder(0u);
+    for (int i = 0; i < widthOf<TypeParam>; ++i) setLane(dividend, i, mixBits(static_cast<std::uint32_t>(i)));
+    const auto quotient = divide(dividend, divisor, remainder);
+    for (int i = 0; i < widthOf<TypeParam>; ++i) {
+      std::uint32_t rest = 0;
+      EXPECT_EQ(lane(quotient, i), divide(lane(dividend, i), divisor, rest));
+      EXPECT_EQ(lane(remainder, i), rest);
+      EXPECT_EQ(lane(quotient, i) * divisor + rest, lane(dividend, i));
+    }
+  }
+}
+
 TEST(Lanes, WidthOneIsPlainFloats) {
   EXPECT_EQ(widthOf<float>, 1);
   const float x = load<float>(std::array{2.5f}.data());

@@ -15,12 +15,11 @@ using Word = std::uint32_t;
 using test::isNet;
 using test::isStratified;
 
-constexpr std::array<SamplerType, 3> kTypes{SamplerType::Independent, SamplerType::Stratified, SamplerType::Sobol};
-
 TEST(Sampler, TypesHaveNames) {
-  for (const SamplerType type : kTypes) EXPECT_EQ(samplerTypeOf(nameOf(type)), type);
+  for (const SamplerType type : kSamplerTypes) EXPECT_EQ(samplerTypeOf(nameOf(type)), type);
   EXPECT_EQ(samplerTypeOf("sobol"), SamplerType::Sobol);
-  EXPECT_FALSE(samplerTypeOf("halton"));
+  EXPECT_EQ(samplerTypeOf("pmj02"), SamplerType::Pmj02);
+  EXPECT_FALSE(samplerTypeOf("Sobol"));
   EXPECT_FALSE(samplerTypeOf(""));
 }
 
@@ -36,20 +35,31 @@ TEST(Sampler, DimensionsOfBouncesAndPurposesDiffer) {
   EXPECT_TRUE(test::sameBits(sampler.get2D(0u, Purpose::Lens), sampler.get2D(dimensionOf(0u, Purpose::Lens))));
 }
 
-TEST(Sampler, SobolBlocksAreNetsInEveryDimension) {
-  for (const Word pixel : {0u, 1u, 4000000000u}) {
-    for (const Word dimension : {0u, 4u, 300u}) {
-      for (int m = 0; m <= 8; ++m) {
-        for (const Word block : {0u, 1u, 3u, 1000u}) {
-          std::vector<Vec2f> pairs;
-          std::vector<float> singles;
-          for (Word i = 0; i < (1u << m); ++i) {
-            const Sampler<float> sampler({SamplerType::Sobol, 9u, 1u, 1u}, pixel, (block << m) + i);
-            pairs.push_back(sampler.get2D(dimension));
-            singles.push_back(sampler.get1D(dimension));
+/// Of `type`, the 2^m samples of the block.
+void expectNet(SamplerType type, Word pixel, Word dimension, int m, Word block, bool pairsAreNets) {
+  std::vector<Vec2f> pairs;
+  std::vector<float> singles, seconds;
+  for (Word i = 0; i < (1u << m); ++i) {
+    const Sampler<float> sampler({type, 9u, 256u, 1u}, pixel, (block << m) + i);
+    pairs.push_back(sampler.get2D(dimension));
+    seconds.push_back(pairs.back().y);
+    singles.push_back(sampler.get1D(dimension));
+  }
+  EXPECT_TRUE(isNet(pairs) || !pairsAreNets) << nameOf(type) << ' ' << m << ' ' << block;
+  EXPECT_TRUE(isStratified(singles)) << nameOf(type) << ' ' << m << ' ' << block;
+  EXPECT_TRUE(isStratified(seconds)) << nameOf(type) << ' ' << m << ' ' << block;
+}
+
+TEST(Sampler, BlocksAreNetsInEveryDimension) {
+  for (const SamplerType type :
+       {SamplerType::Sobol, SamplerType::SobolFull, SamplerType::BlueNoise, SamplerType::Pmj02}) {
+    for (const Word pixel : {0u, 1u, 4000000000u}) {
+      for (const Word dimension : {0u, 4u, 127u, 300u}) {
+        for (int m = 0; m <= 8; ++m) {
+          // 1000: beyond the table of Pmj02 and the 256 samples of BlueNoise.
+          for (const Word block : {0u, 1u, 3u, 1000u}) {
+            expectNet(type, pixel, dimension, m, block, type != SamplerType::SobolFull || dimension == 0u);
           }
-          EXPECT_TRUE(isNet(pairs)) << m << ' ' << block;
-          EXPECT_TRUE(isStratified(singles)) << m << ' ' << block;
         }
       }
     }
@@ -122,7 +132,7 @@ TEST(Sampler, StratifiedGridsHaveOrdersOfTheirOwn) {
 }
 
 TEST(Sampler, EveryPartOfTheCoordinateMatters) {
-  for (const SamplerType type : kTypes) {
+  for (const SamplerType type : kSamplerTypes) {
     const auto draw = [&](Word seed, Word pixel, Word sample, Word dimension) {
       return Sampler<float>({type, seed, 64u, 1u}, pixel, sample).get2D(dimension);
     };
@@ -162,7 +172,7 @@ void expectLanesAgree(const SamplerSettings& settings) {
 }
 
 TEST(Sampler, LanesAgreeWithScalars) {
-  for (const SamplerType type : kTypes) {
+  for (const SamplerType type : kSamplerTypes) {
     for (const Word replicates : {1u, 3u}) {
       expectLanesAgree<Lanes<4>>({type, 17u, 60u, replicates});
       expectLanesAgree<Lanes<8>>({type, 17u, 60u, replicates});
@@ -171,7 +181,7 @@ TEST(Sampler, LanesAgreeWithScalars) {
 }
 
 TEST(Sampler, DegenerateSettingsWork) {
-  for (const SamplerType type : kTypes) {
+  for (const SamplerType type : kSamplerTypes) {
     const Vec2f p = Sampler<float>({type, 0u, 0u, 0u}, 1u, 1u).get2D(0u);
     EXPECT_TRUE(p.x >= 0.0f && p.x < 1.0f);
     const float x = Sampler<float>({type, 0u, 0xffffffffu, 1u}, 0xffffffffu, 0xffffffffu).get1D(0xffffffffu);

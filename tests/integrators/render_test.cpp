@@ -125,9 +125,15 @@ TEST(Render, RefusesWhatMakesNoSense) {
   EXPECT_EQ(kindOf([](auto& s) { s.replicates = 0; }), ErrorKind::Usage);
   EXPECT_EQ(kindOf([](auto& s) { s.crop = Crop{0, 9, 0, 8}; }), ErrorKind::Usage);
   EXPECT_EQ(kindOf([](auto& s) { s.firstSample = 0xffffffffu; }), ErrorKind::Usage);
-  EXPECT_EQ(
-      kindOf([](auto& s) { s.sampler = SamplerType::Stratified, s.timeLimit = 1.0, s.samplesPerPixel = std::nullopt; }),
-      ErrorKind::Usage);
+  for (const SamplerType type : kSamplerTypes) {
+    const ErrorKind refused = needsSampleCount(type) ? ErrorKind::Usage : ErrorKind::Other;
+    EXPECT_EQ(kindOf([&](auto& s) { s.sampler = type, s.timeLimit = 0.001, s.samplesPerPixel = std::nullopt; }),
+              refused);
+    EXPECT_EQ(kindOf([&](auto& s) { s.sampler = type, s.firstSample = 5; }), refused);
+    EXPECT_EQ(kindOf([&](auto& s) { s.sampler = type, s.timeLimit = 0.001; }), ErrorKind::Other);
+  }
+  EXPECT_TRUE(needsSampleCount(SamplerType::Stratified) && needsSampleCount(SamplerType::BlueNoise));
+  EXPECT_FALSE(needsSampleCount(SamplerType::Sobol));
 }
 
 TEST(Render, ProgressNeverFallsAndEndsAtOne) {

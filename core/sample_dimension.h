@@ -1,0 +1,28 @@
+#pragma once
+/// What the random numbers of a sample are for: the names of a sampler's dimensions.
+#include <cstdint>
+
+namespace steradian {
+
+/// What a random number is for; one or two coordinates each.
+enum class Purpose : std::uint32_t {
+  Film,           ///< 2D, bounce 0 only: place in the pixel
+  Lens,           ///< 2D, bounce 0 only
+  Time,           ///< 1D, bounce 0 only
+  BsdfLobe,       ///< 1D
+  BsdfDirection,  ///< 2D
+  LightSelect,    ///< 1D
+  LightPosition,  ///< 2D
+  Roulette,       ///< 1D
+  Mixture,        ///< 1D: which density of the mixture
+  Phase,          ///< 2D: scattering in a medium
+  Count
+};
+inline constexpr std::uint32_t kPurposeCount = static_cast<std::uint32_t>(Purpose::Count);
+
+template <class U>
+U dimensionOf(U bounce, Purpose purpose) {
+  return bounce * U(kPurposeCount) + U(static_cast<std::uint32_t>(purpose));
+}
+
+}  // namespace steradian
