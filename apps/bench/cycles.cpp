@@ -11,6 +11,7 @@
 
 #include "steradian/apps/bench/contender.h"
 #include "steradian/apps/bench/machine.h"
+#include "steradian/apps/bench/reference.h"
 #include "steradian/apps/scenes/scenes.h"
 #include "steradian/core/image_metrics.h"
 
@@ -18,6 +19,7 @@ namespace steradian::bench {
 namespace {
 
 constexpr std::uint32_t kSamplesPerPixel = 64;
+constexpr std::uint32_t kReferenceSamples = 512;
 
 /// A folder that disappears with this object.
 class TemporaryFolder {
@@ -40,26 +42,6 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
-/// The mean of two independent pictures and the standard error of that mean: half their difference.
-struct Reference {
-  Image mean, standardError;
-};
-
-Reference referenceOf(const Image& a, const Image& b) {
-  Reference reference{Image(a.width(), a.height(), {"R", "G", "B"}), Image(a.width(), a.height(), {"R", "G", "B"})};
-  for (const char* name : {"R", "G", "B"}) {
-    const int to = reference.mean.channel(name), fromA = a.channel(name), fromB = b.channel(name);
-    for (int y = 0; y < a.height(); ++y) {
-      for (int x = 0; x < a.width(); ++x) {
-        const float p = a.at(x, y, fromA), q = b.at(x, y, fromB);
-        reference.mean.at(x, y, to) = 0.5f * (p + q);
-        reference.standardError.at(x, y, to) = 0.5f * std::abs(p - q);
-      }
-    }
-  }
-  return reference;
-}
-
 /// What one renderer achieved; medians.
 struct Result {
   double seconds, relMse, efficiency, mean;
@@ -70,11 +52,12 @@ struct Result {
 class Entrant {
  public:
   Entrant(Contender& contender, const BenchOptions& options)
-      : contender_(contender), reference_(makeReference(contender, options.referenceSamples)) {}
+      : contender_(contender),
+        reference_(makeReference(contender, options.referenceSamples.value_or(kReferenceSamples))) {}
 
   void run(std::uint32_t samplesPerPixel, std::uint32_t seed) {
     const TimedPicture picture = contender_.render(samplesPerPixel, seed);
-    const double error = relMSE(picture.image, reference_.mean, &reference_.standardError);
+    const double error = reference_.relMseOf(picture.image);
     seconds_.push_back(picture.seconds);
     errors_.push_back(error);
     efficiencies_.push_back(1.0 / (error * picture.seconds));
@@ -89,7 +72,7 @@ class Entrant {
   static Reference makeReference(Contender& contender, std::uint32_t samplesPerPixel) {
     constexpr std::uint32_t seed = 1000;  // that no run has
     const Image first = contender.render(samplesPerPixel, seed).image;
-    return referenceOf(first, contender.render(samplesPerPixel, seed + 1).image);
+    return Reference(first, contender.render(samplesPerPixel, seed + 1).image);
   }
 
   Contender& contender_;

@@ -9,6 +9,7 @@
 #include "steradian/apps/bench/micro.h"
 #include "steradian/apps/bench/options.h"
 #include "steradian/apps/bench/renders.h"
+#include "steradian/apps/bench/samplers.h"
 #include "steradian/apps/steradian/exit_codes.h"
 #include "steradian/core/diagnostics.h"
 
@@ -22,6 +23,8 @@ void runPart(Part part, const BenchOptions& options) {
       return runMicro(options);
     case Part::Renders:
       return runRenders(options);
+    case Part::Samplers:
+      return runSamplers(options);
     case Part::Cycles:
       return runCycles(options);
   }

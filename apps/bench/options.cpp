@@ -16,31 +16,36 @@ constexpr const char* kDescription =
 
 struct Texts {
   std::vector<std::string> parts;
-  std::string size = "300x300", samples, reference = "512", threads, repeats = "3";
+  std::string size, samples, reference, threads, repeats = "3";
   bool cycles = false;
 };
 
 std::vector<Part> partsOf(const Texts& texts) {
   std::vector<Part> parts;
-  for (const std::string& part : texts.parts) parts.push_back(part == "micro" ? Part::Micro : Part::Renders);
+  for (const std::string& part : texts.parts) {
+    parts.push_back(part == "micro" ? Part::Micro : part == "renders" ? Part::Renders : Part::Samplers);
+  }
   if (texts.cycles) parts.push_back(Part::Cycles);
   if (parts.empty()) parts = {Part::Micro, Part::Renders};
   return parts;
 }
 
 void declare(CLI::App& app, Texts& texts, BenchOptions& options) {
-  app.add_option("PART", texts.parts, "micro, renders")->check(CLI::IsMember({"micro", "renders"}));
+  app.add_option("PART", texts.parts, "micro, renders, samplers")
+      ->check(CLI::IsMember({"micro", "renders", "samplers"}));
   app.add_flag("--cycles", texts.cycles, "Compare with Blender's Cycles (needs blender)");
-  app.add_option("--scenes", options.scenes, "Scenes of renders and of --cycles")->delimiter(',');
-  app.add_option("--size", texts.size, "Size of the pictures")->type_name("WxH")->capture_default_str();
-  app.add_option("--spp", texts.samples, "Samples per pixel; default: renders 16, --cycles 64")->type_name("N");
-  app.add_option("--reference-spp", texts.reference, "--cycles: samples of each half of a reference")
-      ->type_name("N")
-      ->capture_default_str();
-  app.add_option("-t,--threads", texts.threads, "Threads of renders; default: one for each processor")->type_name("N");
+  app.add_option("--scenes", options.scenes, "Scenes of renders, of samplers and of --cycles")->delimiter(',');
+  app.add_option("--size", texts.size, "Size of the pictures; default: 300x300, samplers 64x64")->type_name("WxH");
+  app.add_option("--spp", texts.samples, "Samples per pixel; default: renders 16, --cycles 64, samplers 16, 64 and 256")
+      ->type_name("N");
+  app.add_option("--reference-spp", texts.reference,
+                 "Samples of each half of a reference; default: --cycles 512, samplers 1024")
+      ->type_name("N");
+  app.add_option("-t,--threads", texts.threads, "Threads of renders and samplers; default: one for each processor")
+      ->type_name("N");
   app.add_option("--repeats", texts.repeats, "Figures are medians of N runs")->type_name("N")->capture_default_str();
   app.add_option("--cycles-script", options.cyclesScript, "The script that Blender runs")->capture_default_str();
-  app.add_flag("--json", options.json, "Print the figures of renders and --cycles as JSON");
+  app.add_flag("--json", options.json, "Print the figures of renders, samplers and --cycles as JSON");
 }
 
 }  // namespace
@@ -65,11 +70,14 @@ BenchOptions readOptions(int argc, char** argv) {
     if (!extra.starts_with("--benchmark_")) arguments.problem("unexpected argument \"" + extra + "\"");
     options.forMicro.push_back(std::move(extra));
   }
-  const app::Size size = arguments.size("--size", texts.size);
-  options.width = size.width;
-  options.height = size.height;
+  if (!texts.size.empty()) {
+    const app::Size size = arguments.size("--size", texts.size);
+    options.width = options.samplersWidth = size.width;
+    options.height = options.samplersHeight = size.height;
+  }
   if (!texts.samples.empty()) options.samplesPerPixel = arguments.whole("--spp", texts.samples, 1, 1u << 20);
-  options.referenceSamples = arguments.whole("--reference-spp", texts.reference, 1, 1u << 20);
+  if (!texts.reference.empty())
+    options.referenceSamples = arguments.whole("--reference-spp", texts.reference, 1, 1u << 20);
   options.threads = texts.threads.empty() ? tbb::this_task_arena::max_concurrency()
                                           : static_cast<int>(arguments.whole("--threads", texts.threads, 1, 1024));
   options.repeats = static_cast<int>(arguments.whole("--repeats", texts.repeats, 1, 1000));

@@ -8,17 +8,19 @@
 namespace steradian::bench {
 
 enum class Part {
-  Micro,    ///< single routines
-  Renders,  ///< whole renders against the speed of tracing alone
-  Cycles    ///< whole renders beside Blender's Cycles
+  Micro,     ///< single routines
+  Renders,   ///< whole renders against the speed of tracing alone
+  Samplers,  ///< whole renders by each sampler: error and time
+  Cycles     ///< whole renders beside Blender's Cycles
 };
 
 struct BenchOptions {
   std::vector<Part> parts;
   std::vector<std::string> scenes;  ///< empty: those that each part takes by itself
   int width = 300, height = 300;
-  std::optional<std::uint32_t> samplesPerPixel;  ///< nothing: as each part takes by itself
-  std::uint32_t referenceSamples = 512;          ///< Cycles: per pixel, of each half of a reference
+  int samplersWidth = 64, samplersHeight = 64;    ///< of the pictures of Samplers: the same if the user says a size
+  std::optional<std::uint32_t> samplesPerPixel;   ///< nothing: as each part takes by itself
+  std::optional<std::uint32_t> referenceSamples;  ///< per pixel, of each half of a reference; nothing: likewise
   int threads = 1;
   int repeats = 3;  ///< figures are medians of so many runs
   bool json = false;

@@ -49,9 +49,7 @@ void registerWarp(const std::string& name, Warp warp) {
 
 template <class F>
 void registerWidth() {
-  registerSampler<F>(SamplerType::Independent);
-  registerSampler<F>(SamplerType::Stratified);
-  registerSampler<F>(SamplerType::Sobol);
+  for (const SamplerType type : kSamplerTypes) registerSampler<F>(type);
   registerWarp<F>("uniform-sphere", [](Vec2<F> u) { return UniformSphere<F>::sample(u); });
   registerWarp<F>("uniform-hemisphere", [](Vec2<F> u) { return UniformHemisphere<F>::sample(u); });
   registerWarp<F>("cosine-hemisphere", [](Vec2<F> u) { return CosineHemisphere<F>::sample(u); });

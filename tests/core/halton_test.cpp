@@ -102,6 +102,22 @@ TEST(Halton, ScramblesSendEachPairOfDigitsEverywhere) {
   }
 }
 
+TEST(Halton, ScramblesAreNested) {
+  // Base 5: the second digit of index 0 and that of index 1 are both 0, but their first digits differ, so they are
+  // scrambled independently. In a padded dimension the order of indices 0, 1, ... 4 and that of 5 ... 9 likewise.
+  const Word dimension = static_cast<Word>(Purpose::BsdfDirection);
+  constexpr int keys = 20000;
+  int equal = 0, sameOrder = 0;
+  for (Word k = 0; k < keys; ++k) {
+    const auto digit = [&](Word index) { return cellOf(index, dimension, 0, keyOf(k), 25) % 5; };
+    equal += digit(0) == digit(1) ? 1 : 0;
+    const auto padded = [&](Word index) { return cellOf(index, kPurposeCount + dimension, 0, keyOf(k), 5); };
+    sameOrder += padded(0) == padded(5) ? 1 : 0;
+  }
+  EXPECT_NEAR(equal, keys / 5, 283);  // five standard deviations
+  EXPECT_NEAR(sameOrder, keys / 5, 283);
+}
+
 TEST(Halton, PaddingUntiesCoordinates) {
   // Coordinates of the same base at two bounces: their first digits are not a function of each other.
   std::set<std::size_t> pairs;

@@ -150,7 +150,7 @@ TEST(SamplerVariance, StratificationAndNetsPay) {
       EXPECT_LT(variance(type, samples, product), 0.75 * plain) << samples << ' ' << nameOf(type);
     }
     // What is not padded gains in all four coordinates together.
-    if (samples == 256) EXPECT_LT(variance(SamplerType::SobolFull, samples, product), 0.05 * plain);
+    EXPECT_LT(variance(SamplerType::SobolFull, samples, product), (samples == 256 ? 0.05 : 0.35) * plain) << samples;
   }
 }
 

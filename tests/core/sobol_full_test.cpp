@@ -45,6 +45,18 @@ TEST(SobolFull, TheRecurrenceIsThatOfThePaper) {
   EXPECT_EQ(v[4], 7u << 27);
 }
 
+TEST(SobolFull, EachCoordinateHasAMatrixOfItsOwn) {
+  // A point whose index has one bit is the direction number of that bit.
+  for (Word c = 1; c < kSobolCoordinates; ++c) {
+    const auto v = directionNumbers(kSobolDirections[c - 1]);
+    for (Word bit = 0; bit < 32; ++bit) {
+      EXPECT_EQ(reverseBits(sobolDigits(1u << bit, c - 1u)[1]), v.at(bit)) << c;
+    }
+  }
+  // m_11 = 983 is the last number of the last coordinate of the table.
+  EXPECT_EQ(reverseBits(sobolDigits(1u << 10, 254u)[1]), 983u << 21);
+}
+
 TEST(SobolFull, TheFirstTwoCoordinatesAreThoseOfTheSequence) {
   for (Word i = 0; i < 2000; ++i) {
     const Word index = i < 1000 ? i : mixBits(i);

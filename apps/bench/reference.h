@@ -1,0 +1,16 @@
+#pragma once
+/// What the error of a picture is measured against.
+#include "steradian/core/image.h"
+
+namespace steradian::bench {
+
+/// The mean of two independent pictures and the standard error of that mean: half their difference.
+struct Reference {
+  Image mean, standardError;
+
+  Reference(const Image& a, const Image& b);
+  /// As `steradian diff` has it, less the reference's own noise (core/image_metrics.h).
+  double relMseOf(const Image& picture) const;
+};
+
+}  // namespace steradian::bench
