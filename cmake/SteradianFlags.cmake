@@ -7,7 +7,8 @@ target_compile_options(steradian_flags INTERFACE
   -fno-math-errno -fno-trapping-math
   # Optimising g++ 12 gives these two for correct uses of std::string in aggregates (GCC bugs 105651 and 105562);
   # clang++ and the sanitizers look for the same faults.
-  $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict -Wno-maybe-uninitialized>)
+  # It also remarks that vectors wider than the target's registers are passed otherwise than by old compilers.
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict -Wno-maybe-uninitialized -Wno-psabi>)
 
 if(STERADIAN_WERROR)
   target_compile_options(steradian_flags INTERFACE -Werror)

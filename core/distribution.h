@@ -59,6 +59,10 @@ class PiecewiseConstant1D {
   std::size_t size() const { return cumulative_.size() - 1; }
   /// Probability of a bin.
   float probability(std::size_t bin) const { return cumulative_[bin + 1] - cumulative_[bin]; }
+  template <class F>
+  F probabilityOf(UintOf<F> bin) const {
+    return shareOf(bin);
+  }
 
   template <class F>
   Sample<F> sample(F u) const {

@@ -4,7 +4,7 @@
 /// Everything in the hot loop is a template over a float-like type F: `float` (width 1) or `Lanes<N>` (N floats that
 /// advance together). A condition on F is a `MaskOf<F>` (`bool` or `Mask<N>`) and is consumed by `select`, `any`,
 /// `all`, never by `if`. Each operation rounds as the scalar one does, so that width 1 and width N give the same bits.
-/// This file and lanes_bits.h are the only ones that know the SIMD means: the vector extensions of g++ and clang++.
+/// This file is the only one that knows the SIMD means: the vector extensions of g++ and clang++.
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -125,19 +125,37 @@ using UintOf = typename LaneTraits<F>::UintType;
 
 // --- The same verbs for one lane and for many -------------------------------------------------------------------
 
+/// Bit i is lane i of the mask.
+inline std::uint32_t laneBits(bool m) { return m ? 1u : 0u; }
+template <int N>
+std::uint32_t laneBits(Mask<N> mask) {
+#if defined(__AVX__)
+  // One instruction that neither g++ 12 nor clang++ 14 finds in the loop below; worth 10 % of a ray query.
+  if constexpr (N == 8) {
+    using Floats = typename VectorOf<float, 8>::Type;
+    return static_cast<std::uint32_t>(__builtin_ia32_movmskps256(reinterpret_cast<Floats>(mask.v)));
+  }
+#endif
+#if defined(__SSE__)
+  if constexpr (N == 4) {
+    using Floats = typename VectorOf<float, 4>::Type;
+    return static_cast<std::uint32_t>(__builtin_ia32_movmskps(reinterpret_cast<Floats>(mask.v)));
+  }
+#endif
+  std::uint32_t bits = 0;
+  for (int i = 0; i < N; ++i) bits |= (static_cast<std::uint32_t>(mask.v[i]) >> 31) << i;
+  return bits;
+}
+
 inline bool any(bool m) { return m; }
 inline bool all(bool m) { return m; }
 template <int N>
 bool any(Mask<N> m) {
-  std::int32_t bits = 0;
-  for (int i = 0; i < N; ++i) bits |= m.v[i];
-  return bits != 0;
+  return laneBits(m) != 0;
 }
 template <int N>
 bool all(Mask<N> m) {
-  std::int32_t bits = -1;
-  for (int i = 0; i < N; ++i) bits &= m.v[i];
-  return bits != 0;
+  return laneBits(m) == (1u << N) - 1u;
 }
 
 /// `mask ? a : b`, per lane. Both are evaluated: neither may trap, and the unselected one may be NaN.

@@ -15,4 +15,25 @@ struct Ray {
   Vec3<F> at(F t) const { return origin + direction * t; }
 };
 
+template <class F>
+Ray<float> lane(const Ray<F>& r, int i) {
+  return {lane(r.origin, i), lane(r.direction, i), lane(r.tMax, i), lane(r.time, i), lane(r.tMin, i)};
+}
+template <class F>
+void setLane(Ray<F>& r, int i, const Ray<float>& value) {
+  setLane(r.origin, i, value.origin);
+  setLane(r.direction, i, value.direction);
+  setLane(r.tMax, i, value.tMax);
+  setLane(r.time, i, value.time);
+  setLane(r.tMin, i, value.tMin);
+}
+
+/// False for rays that no kernel and no hierarchy could make sense of: not finite, without a direction, empty.
+template <class F>
+MaskOf<F> isUsable(const Ray<F>& ray) {
+  const Vec3<F> o = absolute(ray.origin), d = absolute(ray.direction);
+  const F length = d.x + d.y + d.z;
+  return isFinite(o.x + o.y + o.z + length) & (length > F(0.0f)) & (ray.tMin >= F(0.0f)) & (ray.tMax > ray.tMin);
+}
+
 }  // namespace steradian

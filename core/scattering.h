@@ -64,6 +64,11 @@ struct ScatterPoint {
   F time{0.0f};
 };
 
+template <class F>
+ScatterPoint<float> lane(const ScatterPoint<F>& p, int i) {
+  return {lane(p.position, i), lane(p.positionError, i), lane(p.geometricNormal, i), lane(p.time, i)};
+}
+
 /// A direction towards something, with its density.
 template <class F>
 struct DirectionSample {

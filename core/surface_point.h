@@ -33,4 +33,25 @@ struct SurfacePoint {
   UintOf<F> material{kNone};  ///< index into SceneDescription::materials
 };
 
+template <class F>
+SurfacePoint<float> lane(const SurfacePoint<F>& p, int i) {
+  return {lane(p.valid, i),         lane(p.position, i), lane(p.positionError, i), lane(p.geometricNormal, i),
+          lane(p.shadingNormal, i), lane(p.uv, i),       lane(p.distance, i),      lane(p.shape, i),
+          lane(p.primitive, i),     lane(p.instance, i), lane(p.material, i)};
+}
+template <class F>
+void setLane(SurfacePoint<F>& p, int i, const SurfacePoint<float>& value) {
+  setLane(p.valid, i, value.valid);
+  setLane(p.position, i, value.position);
+  setLane(p.positionError, i, value.positionError);
+  setLane(p.geometricNormal, i, value.geometricNormal);
+  setLane(p.shadingNormal, i, value.shadingNormal);
+  setLane(p.uv, i, value.uv);
+  setLane(p.distance, i, value.distance);
+  setLane(p.shape, i, value.shape);
+  setLane(p.primitive, i, value.primitive);
+  setLane(p.instance, i, value.instance);
+  setLane(p.material, i, value.material);
+}
+
 }  // namespace steradian

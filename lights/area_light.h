@@ -1,6 +1,6 @@
 #pragma once
 /// A primitive that emits: constant radiance, from the side of its outward normal or from both.
-#include "steradian/accel/shapes/sampled_shape.h"
+#include "steradian/accel/shapes/sampled_shape_lanes.h"
 #include "steradian/core/description.h"
 #include "steradian/core/ray_offset.h"
 
@@ -12,7 +12,8 @@ class AreaLight {
 
   /// A direction to the light, as if it were the only one. No sample where its black side is seen. The distance stops
   /// short of the emitter by the rounding errors of both ends.
-  LightSample<float> sample(const ScatterPoint<float>& from, Vec2f u) const;
+  template <class F>
+  LightSample<F> sample(const ScatterPoint<F>& from, Vec2<F> u) const;
 
   /// Radiance that leaves along -direction from a point with this outward normal, and the density of sample().
   Emission<float> emission(const ScatterPoint<float>& from, Vec3f direction, Vec3f normal) const;
@@ -34,5 +35,35 @@ class AreaLight {
   float size_;        ///< about its diameter: what rounding errors on it scale with, beside its coordinates
   bool flat_, twoSided_;
 };
+
+namespace detail {
+/// Bound of the error of a distance between two points whose coordinates are at most so large: a point of the emitter
+/// and the ray's origin take some ten roundings each, the leaf kernels as many again.
+template <class F>
+F distanceError(const ScatterPoint<F>& from, F magnitude) {
+  const Vec3<F> e = from.positionError;
+  // The origin leaves its surface by up to the error of its position.
+  return F(gammaBound(32)) * magnitude + F(2.0f) * (e.x + e.y + e.z);
+}
+}  // namespace detail
+
+template <class F>
+LightSample<F> AreaLight::sample(const ScatterPoint<F>& from, Vec2<F> u) const {
+  const DirectionSample<F> s = sampleDirection(shape_, from.position, u);
+  const Vec3<F> position = from.position + s.wi * s.distance;
+  const Vec3<F> normal = flat_ ? broadcast<F>(flatNormal_) : normalAt(shape_, position);
+  const F cosine = -dot(s.wi, normal);
+  // A point on the emitter itself is off it by rounding only, and seems to see it; the shadow ray would start behind
+  // it. Where the ray's origin is not on the side that the point was, there is no sample.
+  const Vec3<F> origin = offsetOrigin(from.position, from.positionError, from.geometricNormal, s.wi);
+  const MaskOf<F> behind = (s.distance * cosine + dot(origin - from.position, normal)) * cosine <= F(0.0f);
+  const MaskOf<F> seen = (s.pdf > F(0.0f)) & !behind & (MaskOf<F>(twoSided_) | (cosine > F(0.0f)));
+  const F magnitude = maxComponent(absolute(position)) + maxComponent(absolute(from.position)) + F(size_);
+  // Along a grazing ray the error grows; below the limit next to no light is carried.
+  const F shortened = s.distance - detail::distanceError(from, magnitude) / maximum(absolute(cosine), F(1e-3f));
+  const Spectrum<F> weight = broadcast<F>(radiance_) * (F(1.0f) / s.pdf);
+  return {select(seen, weight, grey(F(0.0f))), s.wi, maximum(shortened, F(0.5f) * s.distance),
+          select(seen, s.pdf, F(0.0f))};
+}
 
 }  // namespace steradian

@@ -13,18 +13,6 @@ LightSelection::LightSelection(std::span<const float> weights) {
   }
 }
 
-LightSelection::Choice LightSelection::choose(float u) const {
-  if (const auto* table = std::get_if<PiecewiseConstant1D>(&table_)) {
-    const std::size_t index = table->sample(u).bin;
-    return {index, table->probability(index)};
-  }
-  if (const auto* table = std::get_if<AliasTable>(&table_)) {
-    const auto s = table->sample(u);
-    return {s.index, s.probability};
-  }
-  return {0, 0.0f};
-}
-
 float LightSelection::probability(std::size_t index) const {
   if (const auto* table = std::get_if<PiecewiseConstant1D>(&table_)) return table->probability(index);
   if (const auto* table = std::get_if<AliasTable>(&table_)) return table->probability(index);

@@ -17,12 +17,24 @@ class LightSelection {
   /// Weights >= 0 of any sum. All zero, or none: nothing can be chosen.
   explicit LightSelection(std::span<const float> weights);
 
+  template <class F>
   struct Choice {
-    std::size_t index;
-    float probability;  ///< 0: nothing was chosen
+    UintOf<F> index{0u};
+    F probability{0.0f};  ///< 0: nothing was chosen
   };
   /// u in [0, 1).
-  Choice choose(float u) const;
+  template <class F>
+  Choice<F> choose(F u) const {
+    if (const auto* table = std::get_if<PiecewiseConstant1D>(&table_)) {
+      const UintOf<F> index = table->sample(u).bin;
+      return {index, table->probabilityOf<F>(index)};
+    }
+    if (const auto* table = std::get_if<AliasTable>(&table_)) {
+      const auto s = table->sample(u);
+      return {s.index, s.probability};
+    }
+    return {};
+  }
   float probability(std::size_t index) const;
   /// Nothing can be chosen.
   bool empty() const { return std::holds_alternative<Nothing>(table_); }

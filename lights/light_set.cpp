@@ -70,24 +70,6 @@ void LightSet::listOthers(const SceneDescription& scene, float sceneRadius, bool
   info_.push_back({"sky", "", 1, sky.power(sceneRadius), 0.0f});
 }
 
-LightSample<float> LightSet::sample(const ScatterPoint<float>& from, const LightRandom<float>& random) const {
-  const auto [index, probability] = selection_.choose(random.select);
-  if (probability == 0.0f) return {};
-  LightSample<float> s;
-  if (index < areas_.size()) {
-    s = areas_[index].sample(from, random.position);
-  } else if (index < areas_.size() + diracs_.size()) {
-    s = std::visit([&](const auto& light) { return sampleLight(light, from.position); },
-                   diracs_[index - areas_.size()]);
-  } else {
-    const DirectionSample<float> d = sampleSky(from.geometricNormal, random.position);
-    if (d.pdf > 0.0f) s = {sky_->radiance(d.wi) * (1.0f / d.pdf), d.wi, d.distance, d.pdf};
-  }
-  s.weight *= 1.0f / probability;
-  s.pdf *= probability;
-  return s;
-}
-
 Emission<float> LightSet::emission(const ScatterPoint<float>& from, const Ray<float>& ray,
                                    const SurfacePoint<float>& hit) const {
   if (!hit.valid) {

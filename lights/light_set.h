@@ -38,8 +38,11 @@ class LightSet {
   /// The description must be valid. `sceneBounds` measures the power of distant lights and skies.
   LightSet(const SceneDescription& scene, const Bounds3& sceneBounds, LightSetSettings settings = {});
 
-  /// One light, one direction. pdf 0: no sample.
-  LightSample<float> sample(const ScatterPoint<float>& from, const LightRandom<float>& random) const;
+  /// One light, one direction. pdf 0: no sample. Lanes may choose different lights; those that are not active have no
+  /// sample.
+  template <class F>
+  LightSample<F> sample(const ScatterPoint<F>& from, const LightRandom<F>& random,
+                        MaskOf<F> active = MaskOf<F>(true)) const;
 
   /// What `ray`, which left `from`, finds: the emission of the surface it hit, or of the skies where hit.valid is
   /// false; with the density with which sample(from) would have chosen ray.direction through that light. Where lights
@@ -65,6 +68,9 @@ class LightSet {
     std::size_t entry;
     float weight;
   };
+  /// The light `index`, as if it were the only one.
+  template <class F>
+  LightSample<F> sampleOne(std::size_t index, const ScatterPoint<F>& from, Vec2<F> u) const;
   void listAreas(const SceneDescription& scene, bool sampled, std::vector<Weighed>& weighed);
   void listOthers(const SceneDescription& scene, float sceneRadius, bool sampleSkies, std::vector<Weighed>& weighed);
 
@@ -74,5 +80,38 @@ class LightSet {
   LightSelection selection_{{}};  ///< area lights, Dirac lights, sky
   std::vector<LightInfo> info_;
 };
+
+template <class F>
+LightSample<F> LightSet::sampleOne(std::size_t index, const ScatterPoint<F>& from, Vec2<F> u) const {
+  if (index < areas_.size()) return areas_[index].sample(from, u);
+  if (index < areas_.size() + diracs_.size()) {
+    return std::visit([&](const auto& light) { return sampleLight(light, from.position); },
+                      diracs_[index - areas_.size()]);
+  }
+  const DirectionSample<F> d = sampleSky(from.geometricNormal, u);
+  return {sky_->radiance(d.wi) * select(d.pdf > F(0.0f), F(1.0f) / d.pdf, F(0.0f)), d.wi, d.distance, d.pdf};
+}
+
+template <class F>
+LightSample<F> LightSet::sample(const ScatterPoint<F>& from, const LightRandom<F>& random, MaskOf<F> active) const {
+  const auto [index, probability] = selection_.choose(random.select);
+  LightSample<F> s;
+  MaskOf<F> left = active & (probability > F(0.0f));
+  // Light by light of those that were chosen: mostly one, or as many as there are lanes.
+  for (int i = 0; i < widthOf<F>; ++i) {
+    if (!lane(left, i)) continue;
+    const std::uint32_t chosen = lane(index, i);
+    const MaskOf<F> mine = left & (index == UintOf<F>(chosen));
+    const LightSample<F> one = sampleOne(chosen, from, random.position);
+    s.weight = select(mine, one.weight, s.weight);
+    s.wi = select(mine, one.wi, s.wi);
+    s.distance = select(mine, one.distance, s.distance);
+    s.pdf = select(mine, one.pdf, s.pdf);
+    left = left & !mine;
+  }
+  s.weight *= F(1.0f) / select(probability > F(0.0f), probability, F(1.0f));
+  s.pdf *= probability;
+  return s;
+}
 
 }  // namespace steradian

@@ -47,14 +47,18 @@ MaterialSet::MaterialSet(const SceneDescription& scene) : textures_(scene.textur
 }
 
 Bsdf MaterialSet::bsdf(const SurfacePoint<float>& at, Vec3f wo) const {
-  const bool disagree = dot(at.shadingNormal, wo) * dot(at.geometricNormal, wo) <= 0.0f;
-  const Vec3f shadingNormal = disagree ? at.geometricNormal : at.shadingNormal;
+  const Vec3f shadingNormal = usableShadingNormal(at.geometricNormal, at.shadingNormal, wo);
   if (at.material >= entries_.size()) return {Absorber<float>{}, at.geometricNormal, shadingNormal};
   const Entry& entry = entries_[at.material];
   if (entry.texture == kNone) return {entry.model, at.geometricNormal, shadingNormal};
   Bsdf::Model model = entry.model;
   setReflectance(model, textures_.value(entry.texture, at));
   return {model, at.geometricNormal, shadingNormal};
+}
+
+std::optional<Rgb> MaterialSet::textureColour(const SurfacePoint<float>& at) const {
+  if (at.material >= entries_.size() || !isTextured(at.material)) return std::nullopt;
+  return textures_.value(entries_[at.material].texture, at);
 }
 
 }  // namespace steradian

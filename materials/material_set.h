@@ -1,5 +1,6 @@
 #pragma once
 /// The materials of a scene, ready for shading: makes the Bsdf of a surface point.
+#include <optional>
 #include <vector>
 
 #include "steradian/materials/bsdf.h"
@@ -17,6 +18,11 @@ class MaterialSet {
   Bsdf bsdf(const SurfacePoint<float>& at, Vec3f wo) const;
 
   std::size_t size() const { return entries_.size(); }
+  /// The model of a material, with its colour if that is constant.
+  const Bsdf::Model& model(Id material) const { return entries_[material].model; }
+  bool isTextured(Id material) const { return entries_[material].texture != kNone; }
+  /// The colour there of a textured material; nothing for others.
+  std::optional<Rgb> textureColour(const SurfacePoint<float>& at) const;
 
  private:
   /// The model with its constant colour; `texture` replaces that where it is not kNone.

@@ -14,7 +14,6 @@
 #include "steradian/accel/shapes/quad.h"
 #include "steradian/accel/shapes/sphere.h"
 #include "steradian/accel/shapes/triangle.h"
-#include "steradian/core/lanes_bits.h"
 #include "steradian/core/surface_point.h"
 
 namespace steradian {

@@ -1,5 +1,7 @@
 #pragma once
 /// Sampling of parallelograms by area and by solid angle, from either side.
+#include <concepts>
+
 #include "steradian/accel/shapes/quad.h"
 #include "steradian/accel/shapes/rectangle_directions.h"
 #include "steradian/core/frame.h"
@@ -46,6 +48,14 @@ struct PreparedQuad : Quad<F> {
         width(length(quad.u)),
         height(dot(quad.v, axes.y)),
         shear(dot(quad.v, axes.x)) {}
+  /// The same quad in every lane.
+  template <std::same_as<float> Scalar>
+  requires(widthOf<F> > 1) explicit PreparedQuad(const PreparedQuad<Scalar>& q)
+      : Quad<F>{broadcast<F>(q.corner), broadcast<F>(q.u), broadcast<F>(q.v)},
+        axes{broadcast<F>(q.axes.x), broadcast<F>(q.axes.y), broadcast<F>(q.axes.z)},
+        width(q.width),
+        height(q.height),
+        shear(q.shear) {}
 
  private:
   static Frame<F> axesOf(Vec3<F> u, Vec3<F> normal) {

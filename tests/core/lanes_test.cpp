@@ -144,5 +144,23 @@ TEST(Lanes, WidthOneIsPlainFloats) {
   EXPECT_EQ(y, 3.0f);
 }
 
+template <int N>
+void expectBits(std::uint32_t pattern) {
+  Mask<N> mask;
+  for (int i = 0; i < N; ++i) mask.set(i, (pattern >> i & 1u) != 0);
+  const std::uint32_t low = pattern & ((1u << N) - 1u);
+  EXPECT_EQ(laneBits(mask), low);
+  EXPECT_EQ(any(mask), low != 0);
+  EXPECT_EQ(all(mask), low == (1u << N) - 1u);
+}
+
+TEST(Lanes, BitsAreTheLanesInOrder) {
+  for (const std::uint32_t pattern : {0u, 1u, 0x8000u, 0xa5c3u, 0xffffu, 0x0080u}) {
+    expectBits<4>(pattern);
+    expectBits<8>(pattern);
+    expectBits<16>(pattern);
+  }
+}
+
 }  // namespace
 }  // namespace steradian

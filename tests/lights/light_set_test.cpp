@@ -243,5 +243,63 @@ TEST(LightSet, DiracLightsAreInTheSelection) {
   EXPECT_FLOAT_EQ(s.distance, 2.0f);
 }
 
+/// Lights of every kind, a squashed ball among them; more of them than a table by cumulative sums takes, if so many are
+/// asked for.
+SceneDescription manyLights(int balls) {
+  SceneDescription scene;
+  addEmitter(scene, ceilingSquare(1.0f, 1.0f), kRadiance);
+  addEmitter(scene, disk({1, 2, 0}, {0, -1, 0}, 0.5f), kRadiance, true);
+  addEmitter(scene, box({-2, 2, 0}, {0.3f, 0.5f, 0.2f}, 20.0f), kRadiance);
+  addEmitter(scene, mesh(), kRadiance);
+  for (int i = 0; i < balls; ++i) addEmitter(scene, sphere({0.1f * static_cast<float>(i), 3, 2}, 0.04f), kRadiance);
+  const Id squashed = addEmitter(scene, sphere({0, 0, 0}, 1.0f), kRadiance);
+  scene.groups.push_back({"group", {squashed}});
+  Matrix matrix;
+  matrix.makeIdentity();
+  matrix[1][1] = 0.3f;
+  matrix[3][1] = 2.0f;
+  scene.instances.push_back({0, {matrix}, {}});
+  scene.addLight("point", PointLight{{0, 1, 0}, grey(2.0f)});
+  scene.addLight("spot", SpotLight{{0, 3, 0}, {0, -1, 0}, grey(2.0f)});
+  scene.addLight("distant", DistantLight{{0, -1, 0.5f}, grey(1.0f)});
+  scene.addLight("sky", ConstantSky{grey(0.5f)});
+  return scene;
+}
+
+TEST(LightSet, LanesAgreeWithScalars) {
+  using F = Lanes<8>;
+  for (const int balls : {1, 300}) {
+    const LightSet lights(manyLights(balls), kBounds, {.sampleAreas = true, .sampleSkies = true});
+    int valid = 0;
+    for (std::uint32_t round = 0; round < 400; ++round) {
+      ScatterPoint<F> from;
+      LightRandom<F> random;
+      for (int i = 0; i < 8; ++i) {
+        const LightRandom<float> r = lightRandom(8 * round + static_cast<std::uint32_t>(i));
+        setLane(random.select, i, r.select);
+        setLane(random.position, i, r.position);
+        setLane(from.position, i, Vec3f{r.position.y - 0.5f, 0.0f, r.select - 0.5f});
+        // Free points among those of surfaces.
+        setLane(from.geometricNormal, i, i == 5 ? Vec3f{} : Vec3f{0.0f, 1.0f, 0.0f});
+      }
+      Mask<8> active(true);
+      active.set(2, false);
+      const LightSample<F> wide = lights.sample(from, random, active);
+      EXPECT_EQ(wide.pdf[2], 0.0f);
+      for (const int i : {0, 1, 3, 4, 5, 6, 7}) {
+        const LightSample<float> one =
+            lights.sample(lane(from, i), LightRandom<float>{lane(random.select, i), lane(random.position, i)});
+        ASSERT_EQ(wide.pdf[i], one.pdf);
+        if (one.pdf == 0.0f) continue;
+        ++valid;
+        ASSERT_EQ(wide.weight.g[i], one.weight.g);
+        ASSERT_EQ(wide.wi.x[i], one.wi.x);
+        ASSERT_EQ(wide.distance[i], one.distance);
+      }
+    }
+    EXPECT_GT(valid, 1000);
+  }
+}
+
 }  // namespace
 }  // namespace steradian

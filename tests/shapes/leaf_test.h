@@ -63,13 +63,6 @@ template <class F>
 Ray<F> broadcastRay(const Ray<float>& ray) {
   return {broadcast<F>(ray.origin), broadcast<F>(ray.direction), F(ray.tMax), F(ray.time), F(ray.tMin)};
 }
-template <class F>
-void setLane(Ray<F>& rays, int i, const Ray<float>& ray) {
-  steradian::setLane(rays.origin, i, ray.origin);
-  steradian::setLane(rays.direction, i, ray.direction);
-  steradian::setLane(rays.tMax, i, ray.tMax);
-  steradian::setLane(rays.tMin, i, ray.tMin);
-}
 
 /// Lanes over primitives with one ray, and lanes over rays with one primitive, give what width 1 gives. `widen` makes
 /// a shape of F from eight shapes, `make` a random shape, `aim` a random ray at it.

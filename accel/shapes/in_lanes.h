@@ -1,0 +1,38 @@
+#pragma once
+/// The same shape in every lane.
+#include "steradian/accel/shapes/box.h"
+#include "steradian/accel/shapes/disk.h"
+#include "steradian/accel/shapes/quad_sampling.h"
+#include "steradian/accel/shapes/sphere.h"
+#include "steradian/accel/shapes/triangle.h"
+
+namespace steradian {
+
+template <class F>
+Sphere<F> inLanes(const Sphere<float>& s) {
+  return {broadcast<F>(s.center), F(s.radius)};
+}
+template <class F>
+Quad<F> inLanes(const Quad<float>& q) {
+  return {broadcast<F>(q.corner), broadcast<F>(q.u), broadcast<F>(q.v)};
+}
+template <class F>
+PreparedQuad<F> inLanes(const PreparedQuad<float>& q) {
+  return PreparedQuad<F>(q);
+}
+template <class F>
+Disk<F> inLanes(const Disk<float>& d) {
+  return {broadcast<F>(d.center), broadcast<F>(d.normal), F(d.radius)};
+}
+template <class F>
+Triangle<F> inLanes(const Triangle<float>& t) {
+  return {broadcast<F>(t.a), broadcast<F>(t.b), broadcast<F>(t.c)};
+}
+template <class F>
+Box<F> inLanes(const Box<float>& b) {
+  return {broadcast<F>(b.center),
+          broadcast<F>(b.half),
+          {broadcast<F>(b.axes.x), broadcast<F>(b.axes.y), broadcast<F>(b.axes.z)}};
+}
+
+}  // namespace steradian

@@ -1,0 +1,57 @@
+#pragma once
+/// SampledShape for several viewers at once: the same numbers as width 1 gives, lane by lane.
+#include "steradian/accel/shapes/box_sampling.h"
+#include "steradian/accel/shapes/disk_sampling.h"
+#include "steradian/accel/shapes/in_lanes.h"
+#include "steradian/accel/shapes/quad_sampling.h"
+#include "steradian/accel/shapes/sampled_shape.h"
+#include "steradian/accel/shapes/sphere_sampling.h"
+#include "steradian/accel/shapes/triangle_sampling.h"
+
+namespace steradian {
+
+template <class F>
+DirectionSample<F> sampleDirection(const SampledShape& shape, Vec3<F> from, Vec2<F> u) {
+  if constexpr (widthOf<F> == 1) {
+    return shape.sampleDirection(from, u);
+  } else {
+    return std::visit(
+        [&]<class S>(const S& s) {
+          if constexpr (requires { inLanes<F>(s); }) {
+            return sampleDirection(inLanes<F>(s), from, u);
+          } else {
+            DirectionSample<F> samples;
+            for (int i = 0; i < widthOf<F>; ++i) {
+              const DirectionSample<float> one = s->sampleDirection(lane(from, i), lane(u, i));
+              setLane(samples.wi, i, one.wi);
+              setLane(samples.pdf, i, one.pdf);
+              setLane(samples.distance, i, one.distance);
+            }
+            return samples;
+          }
+        },
+        shape.shape());
+  }
+}
+
+/// Unit outward normals at points of the surface.
+template <class F>
+Vec3<F> normalAt(const SampledShape& shape, Vec3<F> position) {
+  if constexpr (widthOf<F> == 1) {
+    return shape.normalAt(position);
+  } else {
+    return std::visit(
+        [&]<class S>(const S& s) {
+          if constexpr (requires { inLanes<F>(s); }) {
+            return normalAt(inLanes<F>(s), position);
+          } else {
+            Vec3<F> normals;
+            for (int i = 0; i < widthOf<F>; ++i) setLane(normals, i, s->normalAt(lane(position, i)));
+            return normals;
+          }
+        },
+        shape.shape());
+  }
+}
+
+}  // namespace steradian
