@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "steradian/accel/embree_scene.h"
+#include "steradian/accel/shapes/flat_primitives.h"
 #include "steradian/accel/shapes/shape_at.h"
 #include "steradian/accel/surface_point_of.h"
 
@@ -55,13 +56,6 @@ Matrix inverseOf(const Matrix& matrix, const SourceRange& where) {
   return result;
 }
 
-/// Rays that neither Embree nor the kernels could make sense of.
-bool isUsable(const Ray<float>& ray) {
-  const Vec3f o = absolute(ray.origin), d = absolute(ray.direction);
-  const float sum = o.x + o.y + o.z + d.x + d.y + d.z;
-  return isFinite(sum) & (d.x + d.y + d.z > 0.0f) & (ray.tMin >= 0.0f) & (ray.tMax > ray.tMin);
-}
-
 void count(const ShapeGeometry& geometry, GeometryStatistics& statistics) {
   struct Visitor {
     GeometryStatistics& s;
@@ -90,6 +84,7 @@ struct Geometry::Implementation {
   GeometryStatistics statistics;
   // Destroyed in reverse order: scenes before their device.
   std::unique_ptr<embree::Device> device;  ///< none: the world's clusters are tested one after the other
+  std::optional<FlatPrimitives> flat;      ///< only then
   std::vector<std::unique_ptr<Hierarchy>> groups;
   Hierarchy world;
 
@@ -164,11 +159,11 @@ void Geometry::Implementation::buildHierarchies() {
   Bounds3 origins = bounds;
   origins.include(cameraPosition(description->camera));
   std::vector<float> groupMagnitudes(groups.size(), 0.0f);
-  std::size_t flat = 0;
+  std::size_t flatIndex = 0;
   for (const InstanceSet& set : description->instances) {
     float& magnitude = groupMagnitudes[set.group];
     for (std::size_t i = 0; i < set.transforms.size(); ++i) {
-      magnitude = maximum(magnitude, transformedBounds(origins, inverses[flat++]).magnitude());
+      magnitude = maximum(magnitude, transformedBounds(origins, inverses[flatIndex++]).magnitude());
     }
   }
   for (std::size_t g = 0; g < groups.size(); ++g) {
@@ -177,10 +172,10 @@ void Geometry::Implementation::buildHierarchies() {
     groups[g]->clusters.dropBounds();
   }
   build(world, paddingFor(origins.magnitude()));
-  flat = 0;
+  flatIndex = 0;
   for (const InstanceSet& set : description->instances) {
     for (const Matrix& matrix : set.transforms) {
-      const auto id = firstInstanceId() + static_cast<std::uint32_t>(flat++);
+      const auto id = firstInstanceId() + static_cast<std::uint32_t>(flatIndex++);
       world.scene.attachInstance(*device, groups[set.group]->scene, matrix, id);
     }
   }
@@ -216,6 +211,8 @@ Geometry::Geometry(std::shared_ptr<const SceneDescription> scene, GeometrySettin
   if (!direct) {
     self.device = std::make_unique<embree::Device>();
     self.buildHierarchies();
+  } else if (FlatPrimitives::holds(description, placed)) {
+    self.flat.emplace(description, placed);
   }
   self.world.clusters.dropBounds();
   self.statistics.bytes = self.world.clusters.bytes() + (self.device ? self.device->bytes() : 0) +
@@ -267,6 +264,7 @@ SurfacePoint<float> Geometry::surfacePoint(const Ray<float>& ray, const Hit<floa
   return point;
 }
 
+const FlatPrimitives* Geometry::flat() const { return implementation_->flat ? &*implementation_->flat : nullptr; }
 Bounds3 Geometry::bounds() const { return implementation_->bounds; }
 std::span<const Matrix> Geometry::instanceTransforms() const { return implementation_->transforms; }
 GeometryStatistics Geometry::statistics() const { return implementation_->statistics; }

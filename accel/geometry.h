@@ -12,6 +12,8 @@
 
 namespace steradian {
 
+class FlatPrimitives;
+
 struct GeometrySettings {
   /// Scenes of at most this many clusters (and no instances or native triangles) are tested cluster by cluster,
   /// without a hierarchy: faster up to there (measured: 4 clusters of spheres, 6 of quads). Hits are the same either
@@ -50,6 +52,10 @@ class Geometry {
   bool occluded(const Ray<float>& ray) const;
   /// The point that this ray hit; `hit` must come from intersect() with the same ray. Invalid for a miss.
   SurfacePoint<float> surfacePoint(const Ray<float>& ray, const Hit<float>& hit) const;
+
+  /// The primitives of a scene that is tested without a hierarchy, for several rays at once; null for others, and for
+  /// kinds of shapes that FlatPrimitives does not hold.
+  const FlatPrimitives* flat() const;
 
   /// Bounds of all surfaces in the world; empty for a scene without.
   Bounds3 bounds() const;

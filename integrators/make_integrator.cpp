@@ -21,6 +21,7 @@ constexpr std::array kPathKeys{
     IntegratorKey{"roulette-strength", "1", "0: never end them; 1: survival as probable as the path is bright"},
     IntegratorKey{"target-weight", "0.5", "mixture: probability of a sampling target; 1 loses other light"},
     IntegratorKey{"targets", "the scene's", "mixture: names of shapes, or lights; separated by commas"},
+    IntegratorKey{"width", "0", "paths traced at once: 1, 4, 8 or 16; 0: as many as pay here"},
 };
 constexpr std::array kOcclusionKeys{
     IntegratorKey{"distance", "inf", "what is farther does not occlude; scene units"},
@@ -43,6 +44,7 @@ PathSettings readPathSettings(IntegratorSpec& spec) {
   spec.read("roulette-strength", settings.rouletteStrength, 0.0f, 1.0f);
   spec.read("target-weight", settings.targetWeight, 0.0f, 1.0f);
   spec.read("targets", settings.targets);
+  spec.read("width", settings.width, 0u, 16u);
   if (settings.strategy != Strategy::Mixture) {
     for (const std::string_view key : {"target-weight", "targets"}) spec.refuse(key, "needs strategy=mixture");
   }

@@ -3,6 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+
+#include "steradian/accel/shapes/cluster.h"
+#include "steradian/integrators/wide_path.h"
 
 namespace steradian {
 namespace {
@@ -47,15 +51,20 @@ PathIntegrator::PathIntegrator(const PathSettings& settings) : settings_(setting
   count("the largest depth", settings.maxDepth.value_or(0), 0, PathSettings::kDeepest);
   share("the strength of roulette", settings.rouletteStrength);
   share("the weight of targets", settings.targetWeight);
+  constexpr std::array<std::uint32_t, 5> widths{0, 1, 4, 8, 16};
+  if (std::find(widths.begin(), widths.end(), settings.width) == widths.end()) {
+    wrong.error({}, fmt::format("the width must be 1, 4, 8 or 16, or 0 for the widest, not {}", settings.width));
+  }
   wrong.throwIfErrors(ErrorKind::Usage);
 }
 
 std::unique_ptr<const Integrator> PathIntegrator::prepare(const Scene& scene) const {
-  return std::make_unique<PathTracer>(scene, settings_);
+  if (settings_.width == 1) return std::make_unique<PathTracer>(scene, settings_);
+  return std::make_unique<WidePathTracer>(scene, settings_, settings_.width == 0 ? kLeafWidth : settings_.width);
 }
 
 void PathIntegrator::renderPass(const RenderJob& job, PassRange pass, Film& film) const {
-  PathTracer(job.scene, settings_).renderPass(job, pass, film);
+  prepare(job.scene)->renderPass(job, pass, film);
 }
 
 PathTracer::PathTracer(const Scene& scene, const PathSettings& settings) : plan_(planFor(scene, settings)) {

@@ -98,9 +98,10 @@ BsdfSample<float> scatterMixture(const PathPlan& plan, Queries& queries, const P
 }
 
 /// The density that scattering is taken to have where emission can be found by it and by light sampling (see above).
-inline float competingDensity(Strategy strategy, bool lightSampled, float pdf) {
+template <class F>
+F competingDensity(Strategy strategy, MaskOf<F> lightSampled, F pdf) {
   if (strategy != Strategy::Light) return pdf;
-  return lightSampled && pdf != kDirac ? 0.0f : kDirac;
+  return select(lightSampled & (pdf != F(kDirac)), F(0.0f), F(kDirac));
 }
 
 /// Radiance that leaves the vertex towards wo, of light that arrives straight from the lights.
@@ -142,8 +143,20 @@ inline PathVertex vertexOf(const PathPlan& plan, const SurfacePoint<float>& surf
 
 /// The probability of going on (PathSettings::rouletteStrength); `refraction` is what refraction has divided the
 /// throughput by, which says nothing about how much light the path will find.
-inline float survivalProbability(float strength, Rgb throughput, float refraction) {
-  return 1.0f - strength * (1.0f - minimum(maxChannel(throughput) * refraction, 1.0f));
+template <class F>
+F survivalProbability(float strength, const Spectrum<F>& throughput, F refraction) {
+  return F(1.0f) - F(strength) * (F(1.0f) - minimum(maxChannel(throughput) * refraction, F(1.0f)));
+}
+
+/// Where the path goes on from a vertex; pdf 0: nowhere.
+template <class Queries>
+BsdfSample<float> scatteredRay(const PathPlan& plan, Queries& queries, const PathVertex& vertex,
+                               const Sampler<float>& sampler, std::uint32_t bounce) {
+  // Continuous parts are one lobe each: only where there are Dirac lobes is there something to choose.
+  const float lobe = vertex.diracProbability > 0.0f ? sampler.get1D(bounce, Purpose::BsdfLobe) : 0.0f;
+  const BsdfRandom<float> random{lobe, sampler.get2D(bounce, Purpose::BsdfDirection)};
+  if (plan.targetWeight > 0.0f) return scatterMixture(plan, queries, vertex, random, sampler, bounce);
+  return scatter(plan.scatterPdf, vertex, random);
 }
 
 /// One path along `ray`: the radiance that arrives by it, and what it met first.
@@ -171,12 +184,7 @@ PixelSample tracePath(const PathPlan& plan, Queries& queries, Ray<float> ray, co
     const PathVertex vertex = vertexOf(plan, surface, bsdf, wo, ray.time);
     result.radiance += throughput * directLight(plan, queries, vertex, sampler, bounce);
 
-    // Continuous parts are one lobe each: only where there are Dirac lobes is there something to choose.
-    const float lobe = vertex.diracProbability > 0.0f ? sampler.get1D(bounce, Purpose::BsdfLobe) : 0.0f;
-    const BsdfRandom<float> random{lobe, sampler.get2D(bounce, Purpose::BsdfDirection)};
-    const BsdfSample<float> next = plan.targetWeight > 0.0f
-                                       ? scatterMixture(plan, queries, vertex, random, sampler, bounce)
-                                       : scatter(plan.scatterPdf, vertex, random);
+    const BsdfSample<float> next = scatteredRay(plan, queries, vertex, sampler, bounce);
     if (!(next.pdf > 0.0f)) break;
     throughput *= next.weight;
     refraction *= sqr(next.eta);

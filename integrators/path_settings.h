@@ -39,11 +39,14 @@ struct PathSettings {
   /// without the scaling that refraction brings. 0: no roulette; 1: as probable as it is bright.
   float rouletteStrength = 1.0f;
   /// Bounces up to kDeepest, 0 for emission only; nothing: as the scene says.
-  std::optional<std::uint32_t> maxDepth;
+  std::optional<std::uint32_t> maxDepth = std::nullopt;
   /// Mixture: the probability of choosing a target, in [0, 1]. With 1, light from elsewhere is lost.
   float targetWeight = 0.5f;
   /// Mixture: names of shapes and `lights`; none: those that the scene flags, or else its lights.
-  std::vector<std::string> targets;
+  std::vector<std::string> targets = {};
+  /// Paths traced at once: 1, 4, 8, 16, or 0 for as many as an instruction of the processor holds floats. A matter of
+  /// speed only.
+  std::uint32_t width = 0;
 };
 
 }  // namespace steradian

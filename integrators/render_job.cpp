@@ -14,13 +14,6 @@ void RenderMonitor::finishedTile(std::uint64_t samples, const PathCounts& counts
   tbb::this_task_arena::isolate([&] { report_(samples_); });
 }
 
-WeightedRay RenderJob::cameraRay(int x, int y, const Sampler<float>& sampler) const {
-  const FilterSample<float> place = filter.sample(sampler.get2D(0, Purpose::Film));
-  const Vec2f film{static_cast<float>(x) + 0.5f + place.offset.x, static_cast<float>(y) + 0.5f + place.offset.y};
-  const Vec2f lens = camera.hasLens() ? sampler.get2D(0, Purpose::Lens) : Vec2f{};
-  return {camera.ray<float>({film, lens, sampler.get1D(0, Purpose::Time)}), place.weight};
-}
-
 std::vector<Crop> tilesOf(const Crop& crop, int size) {
   size = std::min(size, Image::maxSide);  // sums of coordinates must not overflow
   std::vector<Crop> tiles;

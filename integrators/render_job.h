@@ -59,9 +59,10 @@ struct PassRange {
 };
 
 /// A camera ray; what it finds is multiplied by `weight`.
+template <class F>
 struct WeightedRay {
-  Ray<float> ray;
-  float weight;
+  Ray<F> ray;
+  F weight;
 };
 
 struct RenderJob {
@@ -77,7 +78,15 @@ struct RenderJob {
     const auto column = static_cast<std::uint32_t>(x), row = static_cast<std::uint32_t>(y);
     return mortonOf(column, row) ^ mixBits((row & 0xffff0000u) | (column >> 16));
   }
-  WeightedRay cameraRay(int x, int y, const Sampler<float>& sampler) const;
+  /// x and y are whole numbers.
+  template <class F>
+  WeightedRay<F> cameraRay(F x, F y, const Sampler<F>& sampler) const {
+    const UintOf<F> start(0u);
+    const FilterSample<F> place = filter.sample(sampler.get2D(start, Purpose::Film));
+    const Vec2<F> film{x + F(0.5f) + place.offset.x, y + F(0.5f) + place.offset.y};
+    const Vec2<F> lens = camera.hasLens() ? sampler.get2D(start, Purpose::Lens) : Vec2<F>{};
+    return {camera.ray<F>({film, lens, sampler.get1D(start, Purpose::Time)}), place.weight};
+  }
 };
 
 /// The crop cut into squares of edge `size`, row by row; those at the right and bottom edge may be smaller.

@@ -56,7 +56,7 @@ std::optional<double> numberAfter(const std::string& text, const std::string& la
 }  // namespace
 
 Steradian::Steradian(SceneDescription scene, const BenchOptions& options)
-    : width_(options.width), height_(options.height), threads_(options.threads) {
+    : width_(options.width), height_(options.height), pathWidth_(options.pathWidth), threads_(options.threads) {
   threads_.run([&] { scene_ = std::make_unique<Scene>(std::move(scene)); });
 }
 
@@ -66,7 +66,8 @@ TimedPicture Steradian::render(std::uint32_t samplesPerPixel, std::uint32_t seed
   settings.height = height_;
   settings.samplesPerPixel = samplesPerPixel;
   settings.seed = seed;
-  const RenderResult result = threads_.run([&] { return steradian::render(*scene_, PathIntegrator(), settings); });
+  const RenderResult result =
+      threads_.run([&] { return steradian::render(*scene_, PathIntegrator({.width = pathWidth_}), settings); });
   return {result.film.image({.features = false, .errors = false}), result.statistics.sampleSeconds};
 }
 

@@ -34,6 +34,7 @@ class Steradian final : public Contender {
 
  private:
   int width_, height_;
+  std::uint32_t pathWidth_;
   Threads threads_;
   std::unique_ptr<const Scene> scene_;
 };

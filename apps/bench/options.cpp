@@ -16,7 +16,7 @@ constexpr const char* kDescription =
 
 struct Texts {
   std::vector<std::string> parts;
-  std::string size, samples, reference, threads, repeats = "3";
+  std::string size, samples, reference, threads, repeats = "3", pathWidth = "0";
   bool cycles = false;
 };
 
@@ -43,6 +43,9 @@ void declare(CLI::App& app, Texts& texts, BenchOptions& options) {
       ->type_name("N");
   app.add_option("-t,--threads", texts.threads, "Threads of renders and samplers; default: one for each processor")
       ->type_name("N");
+  app.add_option("--width", texts.pathWidth, "Paths that our renders trace at once: 1, 4, 8, 16; 0: as many as pay")
+      ->type_name("N")
+      ->capture_default_str();
   app.add_option("--repeats", texts.repeats, "Figures are medians of N runs")->type_name("N")->capture_default_str();
   app.add_option("--cycles-script", options.cyclesScript, "The script that Blender runs")->capture_default_str();
   app.add_flag("--json", options.json, "Print the figures of renders, samplers and --cycles as JSON");
@@ -80,6 +83,7 @@ BenchOptions readOptions(int argc, char** argv) {
     options.referenceSamples = arguments.whole("--reference-spp", texts.reference, 1, 1u << 20);
   options.threads = texts.threads.empty() ? tbb::this_task_arena::max_concurrency()
                                           : static_cast<int>(arguments.whole("--threads", texts.threads, 1, 1024));
+  options.pathWidth = arguments.whole("--width", texts.pathWidth, 0, 16);
   options.repeats = static_cast<int>(arguments.whole("--repeats", texts.repeats, 1, 1000));
   arguments.throwIfProblems();
   options.parts = partsOf(texts);

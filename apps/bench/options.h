@@ -22,7 +22,8 @@ struct BenchOptions {
   std::optional<std::uint32_t> samplesPerPixel;   ///< nothing: as each part takes by itself
   std::optional<std::uint32_t> referenceSamples;  ///< per pixel, of each half of a reference; nothing: likewise
   int threads = 1;
-  int repeats = 3;  ///< figures are medians of so many runs
+  std::uint32_t pathWidth = 0;  ///< PathSettings::width of our renders
+  int repeats = 3;              ///< figures are medians of so many runs
   bool json = false;
   std::string cyclesScript = "apps/bench/cycles_scene.py";
   std::vector<std::string> forMicro;  ///< options that begin with --benchmark_

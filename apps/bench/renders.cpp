@@ -76,13 +76,14 @@ Row measure(Threads& threads, const std::string& name, const BenchOptions& optio
   for (int i = 0; i < options.repeats; ++i) {
     // In turns, so that both see the same moods of the machine.
     const RenderStatistics statistics =
-        threads.run([&] { return render(*scene, PathIntegrator(), settings); }).statistics;
+        threads.run([&] { return render(*scene, PathIntegrator({.width = options.pathWidth}), settings); }).statistics;
     const PathCounts& paths = statistics.paths;
     const auto count = static_cast<double>(paths.cameraRays + paths.bounceRays + paths.shadowRays);
     samples.push_back(static_cast<double>(statistics.samples) / statistics.sampleSeconds);
     rendered.push_back(count / statistics.sampleSeconds);
     std::uint64_t hits = 0;
-    const double seconds = secondsOf([&] { hits = threads.run([&] { return replay(scene->geometry(), rays); }); });
+    const double seconds =
+        secondsOf([&] { hits = threads.run([&] { return replay(scene->geometry(), rays, options.pathWidth != 1); }); });
     if (hits > 0) traced.push_back(static_cast<double>(rays.size()) / seconds);
   }
   if (traced.empty()) throw Error(ErrorKind::Usage, name + ": its rays hit nothing");

@@ -5,7 +5,10 @@
 
 #include <algorithm>
 #include <atomic>
+#include <bit>
 
+#include "steradian/accel/shapes/cluster.h"
+#include "steradian/accel/shapes/flat_primitives.h"
 #include "steradian/core/float_mode.h"
 
 namespace steradian::bench {
@@ -15,7 +18,6 @@ namespace {
 constexpr std::size_t kRun = 2048;
 
 std::uint64_t countHits(const Geometry& geometry, std::span<const RecordedRay> rays) {
-  const FlushDenormals floatMode;
   std::uint64_t hits = 0;
   for (const RecordedRay& recorded : rays) {
     const bool hit =
@@ -25,17 +27,57 @@ std::uint64_t countHits(const Geometry& geometry, std::span<const RecordedRay> r
   return hits;
 }
 
+/// Rays of one kind of query, until there is one for each lane.
+template <class Query>
+class Packet {
+ public:
+  explicit Packet(Query query) : query_(query) {}
+
+  /// Hits of the query, if this ray was the last that it waited for.
+  std::uint64_t add(const Ray<float>& ray) {
+    setLane(rays_, count_, ray);
+    setLane(active_, count_, true);
+    return ++count_ == kLeafWidth ? flush() : 0;
+  }
+  std::uint64_t flush() {
+    const auto hits = static_cast<std::uint64_t>(std::popcount(laneBits(query_(rays_, active_))));
+    active_ = false;
+    count_ = 0;
+    return hits;
+  }
+
+ private:
+  Query query_;
+  Ray<LeafLanes> rays_;
+  Mask<kLeafWidth> active_{false};
+  int count_ = 0;
+};
+
+std::uint64_t countHits(const FlatPrimitives& primitives, std::span<const RecordedRay> rays) {
+  using Active = Mask<kLeafWidth>;
+  Packet nearest([&](const Ray<LeafLanes>& r, Active active) { return primitives.nearest(r, active).valid; });
+  Packet any([&](const Ray<LeafLanes>& r, Active active) { return primitives.any(r, active); });
+  std::uint64_t hits = 0;
+  for (const RecordedRay& recorded : rays) {
+    hits += recorded.kind == RayKind::Shadow ? any.add(recorded.ray) : nearest.add(recorded.ray);
+  }
+  return hits + nearest.flush() + any.flush();
+}
+
 }  // namespace
 
-std::uint64_t replay(const Geometry& geometry, std::span<const RecordedRay> rays) {
+std::uint64_t replay(const Geometry& geometry, std::span<const RecordedRay> rays, bool several) {
+  const FlatPrimitives* const flat = several ? geometry.flat() : nullptr;
   std::atomic<std::uint64_t> hits{0};
   const std::size_t runs = (rays.size() + kRun - 1) / kRun;
   tbb::parallel_for(
       tbb::blocked_range<std::size_t>(0, runs, 1),
       [&](const tbb::blocked_range<std::size_t>& range) {
+        const FlushDenormals floatMode;
         for (std::size_t i = range.begin(); i != range.end(); ++i) {
           const std::size_t begin = i * kRun;
-          hits += countHits(geometry, rays.subspan(begin, std::min(kRun, rays.size() - begin)));
+          const auto run = rays.subspan(begin, std::min(kRun, rays.size() - begin));
+          hits += flat != nullptr ? countHits(*flat, run) : countHits(geometry, run);
         }
       },
       tbb::simple_partitioner());

@@ -10,7 +10,8 @@
 namespace steradian::bench {
 
 /// Asks the geometry about all rays in their order, cut into runs that the caller's arena shares out as a render does
-/// its tiles. Returns the number of hits, so that no query is in vain.
-std::uint64_t replay(const Geometry& geometry, std::span<const RecordedRay> rays);
+/// its tiles; `several`: several rays at once where the geometry can, as the wide path integrator does. Returns the
+/// number of hits, so that no query is in vain.
+std::uint64_t replay(const Geometry& geometry, std::span<const RecordedRay> rays, bool several);
 
 }  // namespace steradian::bench

@@ -31,7 +31,7 @@ std::string integratorHelp() {
 
 constexpr const char* kNotes =
     "\nOf an option that is given twice the last counts. $OCIO names another colour configuration for --display and\n"
-    "--view. --strategy, --max-depth and --target are short for keys of --integrator path.\n";
+    "--view. --strategy, --max-depth, --target and --width are short for keys of --integrator path.\n";
 
 /// Runs a parser of the library that throws, and keeps its complaints.
 template <class Parse>
@@ -105,6 +105,7 @@ std::string integratorSpec(const RenderTexts& texts) {
   if (texts.strategy) spec += ":strategy=" + *texts.strategy;
   if (texts.maxDepth) spec += ":max-depth=" + *texts.maxDepth;
   if (texts.targets) spec += ":targets=" + *texts.targets;
+  if (texts.pathWidth) spec += ":width=" + *texts.pathWidth;
   return spec;
 }
 
@@ -200,6 +201,7 @@ void declareRenderOptions(CLI::App& command, RenderTexts& texts) {
   option("--max-depth", texts.maxDepth, "N", "bounces (default: the scene's); 0: emission only");
   option("--target", texts.targets, "NAMES",
          "what `mixture` aims at: names of shapes, or lights;\nseparated by commas (default: the scene's)");
+  option("--width", texts.pathWidth, "N", "paths traced at once: 1, 4, 8 or 16; 0 (default): as many as pay here");
   option("--crop", texts.crop, "x0,x1,y0,y1", "render only these pixels; y counts from the top");
   option("--sampler", texts.sampler, "NAME",
          "independent, stratified, halton, sobol (default),\nsobol-full, blue-noise or pmj02; stratified and\n"

@@ -23,7 +23,7 @@ struct RenderTexts {
   std::vector<std::string> outputs;
   std::optional<std::string> size, samples, time, seed, threads, crop, tileSize;
   std::optional<std::string> sampler, filter, replicates;
-  std::optional<std::string> integrator, strategy, maxDepth, targets;
+  std::optional<std::string> integrator, strategy, maxDepth, targets, pathWidth;
   std::optional<std::string> format, display, view, exposure;
   std::optional<std::string> statistics;
   bool quiet = false, verbose = false;

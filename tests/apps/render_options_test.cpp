@@ -150,6 +150,8 @@ TEST(RenderOptions, NamesThatNobodyKnows) {
       {{"--view", "aces sdr"}, R"((did you mean "ACES SDR"?))"},
       {{"--display", "tv", "-o", "a.png"}, R"(unknown display "tv")"},
       {{"--strategy", "miss"}, R"(not "miss" (did you mean "mis"?))"},
+      {{"--width", "5"}, "the width must be 1, 4, 8 or 16"},
+      {{"--width", "17"}, "width"},
       {{"--strategy", ""}, R"(not "")"},
       {{"--integrator", "pth"}, R"(did you mean "path"?)"},
       {{"--integrator", "path:light-sample=4"}, R"(did you mean "light-samples"?)"},

@@ -1,0 +1,323 @@
+#pragma once
+/// Several paths at once: the loop of path_loop.h with a path in each lane. A lane whose path has ended takes the next
+/// sample, so that all lanes have work until samples run out.
+///
+/// Each step computes, lane by lane, what tracePath computes in one turn of its loop, with the same functions in the
+/// same order: pictures are the same to the bit. What differs between lanes (materials, lights, kinds of shapes) is
+/// done one after the other for those lanes that need it.
+#include <array>
+#include <bit>
+#include <optional>
+#include <span>
+
+#include "steradian/integrators/path_loop.h"
+#include "steradian/integrators/wide_scene.h"
+
+namespace steradian {
+
+/// Samples first, ..., first + perPixel - 1 of the pixels of one tile, pixel by pixel: gives lanes their camera rays.
+template <class F>
+class CameraSamples {
+ public:
+  static constexpr int width = widthOf<F>;
+
+  CameraSamples(const RenderJob& job, const Crop& tile, PassRange pass)
+      : job_(job), tile_(tile), first_(pass.first), perPixel_(pass.count()) {
+    const auto pixels = static_cast<std::uint32_t>((tile.x1 - tile.x0) * (tile.y1 - tile.y0));
+    count_ = pixels * perPixel_;
+  }
+
+  /// How many there are; they are numbered from 0.
+  std::uint32_t count() const { return count_; }
+  bool empty() const { return next_ == count_; }
+
+  struct Start {
+    Ray<float> ray;
+    float weight;
+    std::uint32_t pixel, sample;
+    std::uint32_t number;
+  };
+  /// The next one; there must be one.
+  Start take() {
+    const int i = static_cast<int>(next_ % width);
+    if (i == 0) prepare();
+    return {lane(rays_.ray, i), lane(rays_.weight, i), lane(pixel_, i), lane(sample_, i), next_++};
+  }
+
+ private:
+  /// Camera rays of the next samples, one per lane.
+  void prepare() {
+    F x, y;
+    const auto columns = static_cast<std::uint32_t>(tile_.x1 - tile_.x0);
+    for (int i = 0; i < width; ++i) {
+      const std::uint32_t number = std::min(next_ + static_cast<std::uint32_t>(i), count_ - 1);
+      const std::uint32_t place = number / perPixel_;
+      const int column = tile_.x0 + static_cast<int>(place % columns),
+                row = tile_.y0 + static_cast<int>(place / columns);
+      setLane(x, i, static_cast<float>(column));
+      setLane(y, i, static_cast<float>(row));
+      setLane(pixel_, i, job_.pixelKey(column, row));
+      setLane(sample_, i, first_ + number % perPixel_);
+    }
+    rays_ = job_.cameraRay(x, y, Sampler<F>(job_.samplerSettings, pixel_, sample_));
+  }
+
+  const RenderJob& job_;
+  Crop tile_;
+  std::uint32_t first_, perPixel_, count_, next_ = 0;
+  WeightedRay<F> rays_;
+  UintOf<F> pixel_, sample_;
+};
+
+template <class F>
+class PathPacket {
+ public:
+  static constexpr int width = widthOf<F>;
+
+  PathPacket(const WideScene& scene, const PathPlan& plan, const RenderJob& job, PathCounts& counts)
+      : scene_(scene),
+        plan_(plan),
+        samplerSettings_(job.samplerSettings),
+        counts_(counts),
+        byLane_(plan.targetWeight > 0.0f || plan.scatterPdf != ScatterPdf::Bsdf) {}
+
+  /// Traces the path of every sample; results[number] is its sample.
+  void run(CameraSamples<F>& samples, std::span<PixelSample> results) {
+    for (int i = 0; i < width; ++i) start(i, samples, results);
+    rebuildSampler();
+    while (any(active_)) step(samples, results);
+  }
+
+ private:
+  using Mask = MaskOf<F>;
+  using Uint = UintOf<F>;
+
+  /// What the paths meet.
+  struct Vertex {
+    ScatterPoint<F> point;
+    Vec3<F> wo;
+    ShadingFrame<F> frame;
+    MaterialTable::Parameters<F> material;
+    F diracProbability{0.0f};
+    Mask lightSampled{true};
+  };
+
+  void start(int i, CameraSamples<F>& samples, std::span<PixelSample> results);
+  void rebuildSampler() { sampler_.emplace(samplerSettings_, pixel_, sample_); }
+  void step(CameraSamples<F>& samples, std::span<PixelSample> results);
+  void addEmission(const SurfacePoint<F>& surface);
+  Vertex vertexAt(const SurfacePoint<F>& surface, Mask hit, std::span<PixelSample> results);
+  Spectrum<F> directLight(const Vertex& vertex, Mask going);
+  Spectrum<F> directLight(const LightSet& lights, const Vertex& vertex, Mask lit);
+  BsdfSample<F> scatter(const Vertex& vertex, Mask going);
+  /// Direct light and scattering by the functions of width 1, for the strategies that draw from other densities.
+  BsdfSample<F> shadeByLane(const SurfacePoint<F>& surface, Mask going);
+
+  template <class Visit>
+  static void forEachLane(Mask mask, const Visit& visit) {
+    for (std::uint32_t bits = laneBits(mask); bits != 0; bits &= bits - 1) visit(std::countr_zero(bits));
+  }
+
+  const WideScene& scene_;
+  const PathPlan& plan_;
+  const SamplerSettings samplerSettings_;
+  PathCounts& counts_;
+  bool byLane_;
+
+  // The state of each path, as in tracePath.
+  Mask active_{false};
+  Ray<F> ray_;
+  ScatterPoint<F> from_;
+  Spectrum<F> throughput_, radiance_;
+  F fromDensity_{0.0f}, refraction_{1.0f}, weight_{0.0f};
+  Uint bounce_{0u}, pixel_{0u}, sample_{0u};
+  std::array<std::uint32_t, static_cast<std::size_t>(width)> number_{};
+  std::optional<Sampler<F>> sampler_;
+};
+
+/// Gives lane i the next sample, or nothing to do.
+template <class F>
+void PathPacket<F>::start(int i, CameraSamples<F>& samples, std::span<PixelSample> results) {
+  setLane(active_, i, !samples.empty());
+  if (samples.empty()) return;
+  const auto next = samples.take();
+  setLane(ray_, i, next.ray);
+  setLane(from_.position, i, next.ray.origin);
+  setLane(from_.positionError, i, Vec3f{});
+  setLane(from_.geometricNormal, i, Vec3f{});
+  setLane(from_.time, i, next.ray.time);
+  setLane(throughput_, i, grey(1.0f));
+  setLane(radiance_, i, Rgb{});
+  setLane(fromDensity_, i, kDirac);
+  setLane(refraction_, i, 1.0f);
+  setLane(weight_, i, next.weight);
+  setLane(bounce_, i, 0u);
+  setLane(pixel_, i, next.pixel);
+  setLane(sample_, i, next.sample);
+  number_[static_cast<std::size_t>(i)] = next.number;
+  results[next.number] = kMiss;
+}
+
+template <class F>
+void PathPacket<F>::addEmission(const SurfacePoint<F>& surface) {
+  const float lightSamples = static_cast<float>(plan_.lightSamples);
+  // Few lanes at a time: once per path at most, but for lights that one sees through glass.
+  forEachLane(scene_.findsLight(surface, active_), [&](int i) {
+    const Emission<float> emission = plan_.lights->emission(lane(from_, i), lane(ray_, i), lane(surface, i));
+    const float weight = emission.pdf > 0.0f ? misWeight(lane(fromDensity_, i), lightSamples * emission.pdf) : 1.0f;
+    setLane(radiance_, i, lane(radiance_, i) + lane(throughput_, i) * emission.radiance * weight);
+  });
+}
+
+template <class F>
+typename PathPacket<F>::Vertex PathPacket<F>::vertexAt(const SurfacePoint<F>& surface, Mask hit,
+                                                       std::span<PixelSample> results) {
+  const Vec3<F> wo = -ray_.direction;
+  const Vec3<F> shadingNormal = usableShadingNormal(surface.geometricNormal, surface.shadingNormal, wo);
+  Vertex vertex{scatterPoint(surface, ray_.time),
+                wo,
+                {surface.geometricNormal, shadingNormal},
+                scene_.materials().parameters(surface, hit),
+                F(0.0f),
+                Mask(true)};
+  const Mask first = hit & (bounce_ == Uint(0u));
+  const Vec3<F> localWo = vertex.frame.toLocal(wo);
+  Spectrum<F> albedo;
+  scene_.materials().forEachModel(vertex.material, hit, [&](const auto& model, Mask mine) {
+    vertex.diracProbability = select(mine, model.diracProbability(localWo), vertex.diracProbability);
+    if (plan_.strategy == Strategy::Light) {
+      vertex.lightSampled = select(mine, Mask(samplesLights(model, localWo)), vertex.lightSampled);
+    }
+    albedo = select(mine, model.albedo(localWo), albedo);
+  });
+  if (any(first)) {
+    const Vec3<F> normal = faceForward(shadingNormal, wo);
+    forEachLane(first, [&](int i) {
+      PixelSample& result = results[number_[static_cast<std::size_t>(i)]];
+      result.alpha = 1.0f;
+      result.albedo = lane(albedo, i);
+      result.normal = lane(normal, i);
+      result.depth = lane(surface.distance, i);
+    });
+  }
+  return vertex;
+}
+
+template <class F>
+Spectrum<F> PathPacket<F>::directLight(const Vertex& vertex, Mask going) {
+  const Mask lit = going & (vertex.diracProbability < F(1.0f));
+  if (plan_.strategy != Strategy::Light) return directLight(*plan_.lights, vertex, lit);
+  const Spectrum<F> all = directLight(*plan_.lights, vertex, lit & vertex.lightSampled);
+  return all + directLight(*plan_.diracLights, vertex, lit & !vertex.lightSampled);
+}
+
+template <class F>
+Spectrum<F> PathPacket<F>::directLight(const LightSet& lights, const Vertex& vertex, Mask lit) {
+  Spectrum<F> sum;
+  if (lights.empty() || !any(lit)) return sum;
+  const F count(static_cast<float>(plan_.lightSamples));
+  for (std::uint32_t k = 0; k < plan_.lightSamples; ++k) {
+    const Uint own = bounce_ + Uint(k * (plan_.maxDepth + 1));
+    const F choice = lights.size() > 1 ? sampler_->get1D(own, Purpose::LightSelect) : F(0.0f);
+    const LightSample<F> light =
+        lights.sample(vertex.point, LightRandom<F>{choice, sampler_->get2D(own, Purpose::LightPosition)}, lit);
+    Mask sampled = lit & (light.pdf > F(0.0f));
+    BsdfValue<F> f;
+    scene_.materials().forEachModel(vertex.material, sampled, [&](const auto& model, Mask mine) {
+      const BsdfValue<F> v = vertex.frame.eval(model, vertex.wo, light.wi, Transport::Radiance);
+      f.value = select(mine, v.value, f.value);
+      f.pdf = select(mine, v.pdf, f.pdf);
+    });
+    sampled = sampled & !isBlack(f.value);
+    if (!any(sampled)) continue;
+    counts_.shadowRays += static_cast<std::uint64_t>(std::popcount(laneBits(sampled)));
+    const Mask visible = sampled & !scene_.occluded(spawnRay(vertex.point, light.wi, light.distance), sampled);
+    const F other = plan_.strategy == Strategy::Mis ? f.pdf : F(0.0f);
+    const Spectrum<F> found = f.value * light.weight * misWeight(count * light.pdf, other);
+    sum += select(visible, found, Spectrum<F>{});
+  }
+  return sum / count;
+}
+
+template <class F>
+BsdfSample<F> PathPacket<F>::scatter(const Vertex& vertex, Mask going) {
+  const Mask choosing = going & (vertex.diracProbability > F(0.0f));
+  F lobe(0.0f);
+  if (any(choosing)) lobe = select(choosing, sampler_->get1D(bounce_, Purpose::BsdfLobe), lobe);
+  const BsdfRandom<F> random{lobe, sampler_->get2D(bounce_, Purpose::BsdfDirection)};
+  BsdfSample<F> sample;
+  scene_.materials().forEachModel(vertex.material, going, [&](const auto& model, Mask mine) {
+    const BsdfSample<F> s = vertex.frame.sample(model, vertex.wo, random, Transport::Radiance);
+    sample.weight = select(mine, s.weight, sample.weight);
+    sample.wi = select(mine, s.wi, sample.wi);
+    sample.pdf = select(mine, s.pdf, sample.pdf);
+    sample.eta = select(mine, s.eta, sample.eta);
+  });
+  return sample;
+}
+
+template <class F>
+BsdfSample<F> PathPacket<F>::shadeByLane(const SurfacePoint<F>& surface, Mask going) {
+  BsdfSample<F> samples;
+  SceneQueries queries(scene_.scene(), counts_);
+  forEachLane(going, [&](int i) {
+    const SurfacePoint<float> point = lane(surface, i);
+    const Vec3f wo = -lane(ray_.direction, i);
+    const Bsdf bsdf = scene_.scene().materials().bsdf(point, wo);
+    const PathVertex vertex = vertexOf(plan_, point, bsdf, wo, lane(ray_.time, i));
+    const Sampler<float> sampler(samplerSettings_, lane(pixel_, i), lane(sample_, i));
+    const std::uint32_t bounce = lane(bounce_, i);
+    const Rgb light = steradian::directLight(plan_, queries, vertex, sampler, bounce);
+    setLane(radiance_, i, lane(radiance_, i) + lane(throughput_, i) * light);
+    const BsdfSample<float> next = scatteredRay(plan_, queries, vertex, sampler, bounce);
+    setLane(samples.weight, i, next.weight);
+    setLane(samples.wi, i, next.wi);
+    setLane(samples.pdf, i, next.pdf);
+    setLane(samples.eta, i, next.eta);
+  });
+  return samples;
+}
+
+template <class F>
+void PathPacket<F>::step(CameraSamples<F>& samples, std::span<PixelSample> results) {
+  const SurfacePoint<F> surface = scene_.intersect(ray_, active_);
+  addEmission(surface);
+  const Mask hit = active_ & surface.valid;
+  const Vertex vertex = vertexAt(surface, hit, results);
+  Mask going = hit & (bounce_ != Uint(plan_.maxDepth));
+
+  BsdfSample<F> next;
+  if (byLane_) {
+    next = shadeByLane(surface, going);
+  } else {
+    const Spectrum<F> light = throughput_ * directLight(vertex, going);
+    radiance_ = select(going, radiance_ + light, radiance_);
+    next = scatter(vertex, going);
+  }
+  going = going & (next.pdf > F(0.0f));
+  throughput_ = select(going, throughput_ * next.weight, throughput_);
+  refraction_ = select(going, refraction_ * sqr(next.eta), refraction_);
+  const Mask atStake = going & !(bounce_ < Uint(plan_.rouletteStart));
+  if (any(atStake)) {
+    const F survival = survivalProbability(plan_.rouletteStrength, throughput_, refraction_);
+    going = going & ((!atStake) | (sampler_->get1D(bounce_, Purpose::Roulette) < survival));
+    throughput_ = select(atStake, throughput_ * (F(1.0f) / survival), throughput_);
+  }
+
+  const Mask ended = active_ & !going;
+  ray_ = spawnRay(vertex.point, next.wi, F(kInfinity));
+  from_ = vertex.point;
+  fromDensity_ = competingDensity(plan_.strategy, vertex.lightSampled, next.pdf);
+  forEachLane(ended, [&](int i) {
+    PixelSample& result = results[number_[static_cast<std::size_t>(i)]];
+    result.radiance = lane(radiance_, i) * lane(weight_, i);
+    result.alpha *= lane(weight_, i);
+    counts_.countPath(lane(bounce_, i));
+  });
+  bounce_ = bounce_ + select(going, Uint(1u), Uint(0u));
+  if (!any(ended)) return;
+  forEachLane(ended, [&](int i) { start(i, samples, results); });
+  rebuildSampler();
+}
+
+}  // namespace steradian

@@ -1,0 +1,122 @@
+#pragma once
+/// The materials of a scene for several points at once: their parameters in rows to gather from, and the models that
+/// occur.
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "steradian/materials/material_set.h"
+
+namespace steradian {
+
+class MaterialTable {
+ public:
+  /// `materials` must outlive the table.
+  explicit MaterialTable(const MaterialSet& materials);
+
+  /// What the materials of the lanes are made of. A model reads what it needs.
+  template <class F>
+  struct Parameters {
+    UintOf<F> model;  ///< which one: the index in Bsdf::Model
+    Spectrum<F> reflectance;
+    F eta, fuzz, internalReflectance, schlick;
+  };
+  /// `at` needs valid points; for textures their uv as well (see textured()).
+  template <class F>
+  Parameters<F> parameters(const SurfacePoint<F>& at, MaskOf<F> active) const;
+
+  /// Whether any material reads a texture, so that the points need their uv.
+  bool textured() const { return textured_; }
+
+  /// Calls visit(model, mask) for each model that some active lane has, as Model<F> with the lanes' parameters.
+  template <class F, class Visit>
+  void forEachModel(const Parameters<F>& parameters, MaskOf<F> active, const Visit& visit) const;
+
+ private:
+  enum Row { kRed, kGreen, kBlue, kEta, kFuzz, kInternal, kSchlick, kRows };
+
+  template <class F>
+  F valueOf(Row row, UintOf<F> material) const {
+    if (uniform_[row]) return F(*uniform_[row]);
+    return gather(values_.data() + static_cast<std::size_t>(row) * model_.size(), material);
+  }
+  template <class F, std::size_t index, class Visit>
+  void visitModel(const Parameters<F>& p, MaskOf<F> active, const Visit& visit) const;
+
+  const MaterialSet* materials_;
+  std::vector<std::uint32_t> model_;                 ///< per material, and of none
+  std::vector<float> values_;                        ///< row by row
+  std::array<std::optional<float>, kRows> uniform_;  ///< of rows that are the same for all materials
+  std::vector<bool> present_;                        ///< per model
+  bool textured_ = false;
+};
+
+template <class F>
+MaterialTable::Parameters<F> MaterialTable::parameters(const SurfacePoint<F>& at, MaskOf<F> active) const {
+  const UintOf<F> none(static_cast<std::uint32_t>(materials_->size()));
+  const UintOf<F> material = select(at.material < none, at.material, none);
+  Parameters<F> p{gather(model_.data(), material),
+                  {valueOf<F>(kRed, material), valueOf<F>(kGreen, material), valueOf<F>(kBlue, material)},
+                  valueOf<F>(kEta, material),
+                  valueOf<F>(kFuzz, material),
+                  valueOf<F>(kInternal, material),
+                  valueOf<F>(kSchlick, material)};
+  if (!textured_) return p;
+  for (int i = 0; i < widthOf<F>; ++i) {
+    if (!lane(active, i)) continue;
+    const auto colour = materials_->textureColour(lane(at, i));
+    if (colour) setLane(p.reflectance, i, *colour);
+  }
+  return p;
+}
+
+namespace detail {
+template <class F, class P>
+Absorber<F> makeModel(const P&, std::type_identity<Absorber<float>>) {
+  return {};
+}
+template <class F, class P>
+Lambert<F> makeModel(const P& p, std::type_identity<Lambert<float>>) {
+  return {p.reflectance};
+}
+template <class F, class P>
+Mirror<F> makeModel(const P& p, std::type_identity<Mirror<float>>) {
+  return {p.reflectance};
+}
+template <class F, class P>
+FuzzyMetal<F> makeModel(const P& p, std::type_identity<FuzzyMetal<float>>) {
+  return {p.reflectance, p.fuzz};
+}
+template <class F, class P>
+Coated<F> makeModel(const P& p, std::type_identity<Coated<float>>) {
+  return {p.reflectance, p.eta, p.internalReflectance};
+}
+}  // namespace detail
+
+template <class F, std::size_t index, class Visit>
+void MaterialTable::visitModel(const Parameters<F>& p, MaskOf<F> active, const Visit& visit) const {
+  using Model = std::variant_alternative_t<index, Bsdf::Model>;
+  if (!present_[index]) return;
+  const MaskOf<F> mine = active & (p.model == UintOf<F>(static_cast<std::uint32_t>(index)));
+  if (!any(mine)) return;
+  if constexpr (std::is_same_v<Model, Dielectric<float>>) {
+    // Which Fresnel term is not a matter of lanes.
+    const MaskOf<F> schlick = mine & (p.schlick > F(0.0f)), exact = mine & !schlick;
+    if (any(exact)) visit(Dielectric<F>{p.eta, false}, exact);
+    if (any(schlick)) visit(Dielectric<F>{p.eta, true}, schlick);
+  } else {
+    visit(detail::makeModel<F>(p, std::type_identity<Model>{}), mine);
+  }
+}
+
+template <class F, class Visit>
+void MaterialTable::forEachModel(const Parameters<F>& parameters, MaskOf<F> active, const Visit& visit) const {
+  [&]<std::size_t... index>(std::index_sequence<index...>) { (visitModel<F, index>(parameters, active, visit), ...); }
+  (std::make_index_sequence<std::variant_size_v<Bsdf::Model>>{});
+}
+
+}  // namespace steradian

@@ -1,0 +1,166 @@
+#include "steradian/integrators/wide_path.h"
+
+#include <gtest/gtest.h>
+#include <tbb/task_arena.h>
+
+#include <limits>
+#include <string>
+
+#include "steradian/apps/scenes/scenes.h"
+#include "steradian/integrators/make_integrator.h"
+#include "steradian/integrators/render.h"
+#include "steradian/tests/integrators/small_scenes.h"
+
+namespace steradian {
+namespace {
+
+using test::settingsOf;
+
+/// Every kind of shape and of material, an area, a point and a spot light.
+SceneDescription everythingRoom() {
+  SceneDescription s = test::room();
+  const Id brown = s.addColour({0.5f, 0.3f, 0.1f});
+  const Id checker = s.addTexture(CheckerTexture{brown, s.addColour({0.9f, 0.8f, 0.1f}), 0.1f});
+  test::addSphere(s, {-0.5f, -0.7f, 0.3f}, 0.3f, s.addMaterial("glass", DielectricMaterial{1.5f, false}));
+  test::addSphere(s, {0.5f, -0.7f, 0.5f}, 0.3f, s.addMaterial("book's glass", DielectricMaterial{1.5f, true}));
+  test::addSphere(s, {0.0f, -0.8f, 0.6f}, 0.2f, s.addMaterial("metal", MetalMaterial{brown, 0.3f}));
+  test::addSphere(s, {0.0f, -0.3f, -0.6f}, 0.3f, s.addMaterial("mirror", MetalMaterial{brown, 0.0f}));
+  const Id coat = s.addMaterial("coat", CoatedMaterial{brown, 1.5f});
+  test::addBox(s, {0.5f, -0.5f, -0.4f}, {0.2f, 0.5f, 0.2f}, 20.0f, coat);
+  BoxSet turned;
+  turned.centerX = {-0.5f}, turned.centerY = {-0.2f}, turned.centerZ = {-0.5f};
+  turned.halfX = {0.2f}, turned.halfY = {0.1f}, turned.halfZ = {0.3f};
+  turned.rotationW = {0.8f}, turned.rotationX = {0.36f}, turned.rotationY = {0.0f}, turned.rotationZ = {0.48f};
+  s.addShape("turned", turned, s.addMaterial("checkered", LambertMaterial{checker}));
+  DiskSet disk;
+  disk.add({0.3f, 0.3f, -0.9f}, {0.0f, 0.0f, 1.0f}, 0.3f);
+  s.setEmission(s.addShape("disk", disk, test::addAbsorber(s)), {{1.0f, 2.0f, 3.0f}, true});
+  TriangleMesh mesh;
+  mesh.positions = {{-0.9f, 0.5f, -0.5f}, {-0.4f, 0.5f, -0.5f}, {-0.6f, 0.9f, -0.3f}, {-0.2f, 0.9f, -0.7f}};
+  mesh.indices = {0, 1, 2, 2, 1, 3};
+  s.addShape("mesh", mesh, coat);
+  s.addLight("bulb", PointLight{{0.0f, 0.2f, 0.8f}, grey(0.3f)});
+  s.addLight("spot", SpotLight{{0.5f, 0.8f, 0.5f}, {-0.5f, -1.0f, -0.3f}, grey(0.5f), 20.0f, 35.0f});
+  return s;
+}
+
+/// The same without a texture, so that it is tested with all lanes at once.
+SceneDescription plainRoom() {
+  SceneDescription s = everythingRoom();
+  for (MaterialDescription& m : s.materials) {
+    if (m.name == "checkered") m.model = LambertMaterial{s.addColour({0.2f, 0.4f, 0.6f})};
+  }
+  return s;
+}
+
+/// Under the sky, with a distant light: paths leave the scene.
+SceneDescription openScene() {
+  SceneDescription s = test::sphereInSky(CoatedMaterial{});
+  std::get<CoatedMaterial>(s.materials[0].model).reflectance = s.addColour({0.6f, 0.2f, 0.3f});
+  s.addLight("sun", DistantLight{{-1.0f, -2.0f, -0.5f}, grey(1.0f)});
+  s.addLight("dusk", GradientSky{{0.1f, 0.1f, 0.1f}, {0.2f, 0.3f, 0.5f}});
+  return s;
+}
+
+struct Rendered {
+  std::vector<float> values;
+  PathCounts counts;
+};
+
+Rendered renderWith(const Scene& scene, const std::string& integrator, const RenderSettings& settings) {
+  const RenderResult result = render(scene, *makeIntegrator(integrator), settings);
+  const Image image = result.film.image();
+  return {{image.values().begin(), image.values().end()}, result.statistics.paths};
+}
+
+/// Whether all widths give the picture and the counts of width 1.
+void expectEqualWidths(const Scene& scene, const std::string& integrator, const RenderSettings& settings) {
+  const Rendered one = renderWith(scene, integrator + ":width=1", settings);
+  double sum = 0.0;
+  for (const float v : one.values) sum += std::isfinite(v) ? static_cast<double>(v) : 0.0;
+  EXPECT_GT(sum, 0.0) << integrator;
+  for (const char* width : {"0", "4", "8", "16"}) {
+    const Rendered wide = renderWith(scene, integrator + ":width=" + width, settings);
+    ASSERT_EQ(wide.values.size(), one.values.size());
+    std::size_t different = 0;
+    for (std::size_t i = 0; i < one.values.size(); ++i) {
+      different += bitsOf(one.values[i]) == bitsOf(wide.values[i]) ? 0u : 1u;
+    }
+    EXPECT_EQ(different, 0u) << integrator << ", width " << width;
+    EXPECT_EQ(wide.counts.shadowRays, one.counts.shadowRays) << integrator << ", width " << width;
+    EXPECT_EQ(wide.counts.pathLengths, one.counts.pathLengths) << integrator << ", width " << width;
+  }
+}
+
+TEST(WidePath, EqualsWidthOneForEveryStrategy) {
+  const Scene plain(plainRoom()), textured(everythingRoom()), open(openScene());
+  ASSERT_NE(plain.geometry().flat(), nullptr);
+  for (const char* strategy : {"bsdf", "light", "mis", "mixture"}) {
+    const std::string integrator = std::string("path:strategy=") + strategy;
+    for (const Scene* scene : {&plain, &textured, &open}) expectEqualWidths(*scene, integrator, settingsOf(13, 11, 8));
+  }
+}
+
+TEST(WidePath, EqualsWidthOneForEverySetting) {
+  const Scene scene(plainRoom());
+  for (const char* integrator :
+       {"path:max-depth=0", "path:max-depth=1", "path:light-samples=3", "path:roulette-start=0",
+        "path:roulette-start=1:roulette-strength=0.5", "path:roulette-strength=0:max-depth=20",
+        "path:scatter-pdf=cosine", "path:scatter-pdf=sphere:strategy=bsdf", "path:strategy=light:light-samples=2",
+        "path:strategy=mixture:targets=lights:target-weight=0.3"}) {
+    expectEqualWidths(scene, integrator, settingsOf(7, 9, 6));
+  }
+}
+
+TEST(WidePath, EqualsWidthOneForEverySamplerFilterAndCrop) {
+  const Scene scene(plainRoom());
+  for (const SamplerType sampler : {SamplerType::Independent, SamplerType::Stratified, SamplerType::Sobol}) {
+    RenderSettings settings = settingsOf(9, 7, 6, 3);
+    settings.sampler = sampler;
+    settings.replicates = 2;
+    settings.filter = Filter(FilterType::Mitchell);
+    settings.crop = Crop{2, 8, 1, 6};
+    settings.tileSize = 4;
+    expectEqualWidths(scene, "path", settings);
+  }
+}
+
+TEST(WidePath, EqualsWidthOneWithAHierarchy) {
+  for (const char* name : {"one-weekend", "cornell-city:200", "cornell-tower:3", "simple-light"}) {
+    const Scene scene(makeScene(name));
+    expectEqualWidths(scene, "path", settingsOf(16, 9, 3));
+  }
+}
+
+TEST(WidePath, AnEmptySceneIsBlack) {
+  const Scene scene{SceneDescription{}};
+  const Rendered result = renderWith(scene, "path", settingsOf(3, 3, 2));
+  EXPECT_EQ(result.counts.cameraRays, 18u);
+  EXPECT_EQ(result.counts.bounceRays, 0u);
+}
+
+/// A lane without a path may hold anything.
+TEST(WidePath, IdleLanesDoNotMatter) {
+  const Scene scene(plainRoom());
+  const WideScene wide(scene);
+  using F = Lanes<8>;
+  Mask<8> active(false);
+  for (const int i : {1, 4, 6}) active.set(i, true);
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  Ray<F> ray{{F(nan), F(kInfinity), F(0.1f)}, {F(0.0f), F(nan), F(0.0f)}};
+  for (const int i : {1, 4, 6}) {
+    setLane(ray, i, {{0.1f * static_cast<float>(i), 0.0f, 0.9f}, normalize(Vec3f{0.1f, -0.2f, -1.0f})});
+  }
+  const SurfacePoint<F> points = wide.intersect(ray, active);
+  EXPECT_EQ(laneBits(points.valid), laneBits(active));
+  for (const int i : {1, 4, 6}) {
+    const Ray<float> one = lane(ray, i);
+    const SurfacePoint<float> expected = scene.geometry().surfacePoint(one, scene.geometry().intersect(one));
+    EXPECT_EQ(lane(points, i).position.x, expected.position.x);
+    EXPECT_EQ(lane(points, i).shape, expected.shape);
+  }
+  EXPECT_EQ(laneBits(wide.occluded(ray, active)), laneBits(active));
+}
+
+}  // namespace
+}  // namespace steradian
