@@ -6,7 +6,8 @@
 
 namespace steradian {
 
-/// The settings, checked. Paths are traced by the PathTracer that prepare() returns.
+/// The settings, checked. Paths are traced by what prepare() returns: WidePathTracer (wide_path.h), or with width 1
+/// PathTracer.
 class PathIntegrator final : public Integrator {
  public:
   /// Throws Error (Usage) for settings out of their ranges.
@@ -22,7 +23,7 @@ class PathIntegrator final : public Integrator {
   PathSettings settings_;
 };
 
-/// Traces paths through one scene (path_loop.h says how).
+/// Traces paths through one scene, one at a time (path_loop.h says how).
 class PathTracer final : public RadianceIntegrator {
  public:
   /// The scene must outlive this. Throws as PathIntegrator::prepare.

@@ -19,11 +19,14 @@ bool isUpright(const BoxSet& set) {
 }  // namespace
 
 bool FlatPrimitives::holds(const SceneDescription& scene, std::span<const Id> shapes) {
-  return std::all_of(shapes.begin(), shapes.end(), [&](Id shape) {
+  std::size_t count = 0;
+  const bool known = std::all_of(shapes.begin(), shapes.end(), [&](Id shape) {
     const ShapeGeometry& geometry = scene.shapes[shape].geometry;
+    count += primitiveCount(geometry);
     const auto* mesh = std::get_if<TriangleMesh>(&geometry);
     return !std::holds_alternative<CustomShapeSet>(geometry) && (mesh == nullptr || mesh->normals.empty());
   });
+  return known && count > 0;
 }
 
 FlatPrimitives::FlatPrimitives(const SceneDescription& scene, std::span<const Id> shapes) {

@@ -17,8 +17,8 @@ namespace steradian {
 
 class FlatPrimitives {
  public:
-  /// Whether the shapes are of the kinds that this class knows: all but custom ones and meshes with normals of their
-  /// own.
+  /// Whether there is a primitive, and the shapes are of the kinds that this class knows: all but custom ones and
+  /// meshes with normals of their own.
   static bool holds(const SceneDescription& scene, std::span<const Id> shapes);
 
   /// The description must be valid and `holds` true.

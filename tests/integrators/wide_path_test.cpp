@@ -53,6 +53,9 @@ SceneDescription plainRoom() {
   return s;
 }
 
+/// However many clusters there are, without a hierarchy.
+const SceneSettings kFlat{.geometry = {.directClusters = 64}, .lights = {}};
+
 /// Under the sky, with a distant light: paths leave the scene.
 SceneDescription openScene() {
   SceneDescription s = test::sphereInSky(CoatedMaterial{});
@@ -93,7 +96,7 @@ void expectEqualWidths(const Scene& scene, const std::string& integrator, const 
 }
 
 TEST(WidePath, EqualsWidthOneForEveryStrategy) {
-  const Scene plain(plainRoom()), textured(everythingRoom()), open(openScene());
+  const Scene plain(plainRoom(), kFlat), textured(everythingRoom()), open(openScene());
   ASSERT_NE(plain.geometry().flat(), nullptr);
   for (const char* strategy : {"bsdf", "light", "mis", "mixture"}) {
     const std::string integrator = std::string("path:strategy=") + strategy;
@@ -102,7 +105,7 @@ TEST(WidePath, EqualsWidthOneForEveryStrategy) {
 }
 
 TEST(WidePath, EqualsWidthOneForEverySetting) {
-  const Scene scene(plainRoom());
+  const Scene scene(plainRoom(), kFlat);
   for (const char* integrator :
        {"path:max-depth=0", "path:max-depth=1", "path:light-samples=3", "path:roulette-start=0",
         "path:roulette-start=1:roulette-strength=0.5", "path:roulette-strength=0:max-depth=20",
@@ -113,7 +116,7 @@ TEST(WidePath, EqualsWidthOneForEverySetting) {
 }
 
 TEST(WidePath, EqualsWidthOneForEverySamplerFilterAndCrop) {
-  const Scene scene(plainRoom());
+  const Scene scene(plainRoom(), kFlat);
   for (const SamplerType sampler : {SamplerType::Independent, SamplerType::Stratified, SamplerType::Sobol}) {
     RenderSettings settings = settingsOf(9, 7, 6, 3);
     settings.sampler = sampler;
@@ -141,7 +144,7 @@ TEST(WidePath, AnEmptySceneIsBlack) {
 
 /// A lane without a path may hold anything.
 TEST(WidePath, IdleLanesDoNotMatter) {
-  const Scene scene(plainRoom());
+  const Scene scene(plainRoom(), kFlat);
   const WideScene wide(scene);
   using F = Lanes<8>;
   Mask<8> active(false);

@@ -105,10 +105,13 @@ TEST(FlatPrimitives, LeaveOutWhatTheyDoNotKnow) {
   smooth.normals = {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}};
   scene.addShape("smooth", smooth, kNone);
   scene.addShape("custom", CustomShapeSet{}, kNone);
-  scene.addShape("ball", SphereSet{}, kNone);
+  SphereSet ball;
+  ball.add({0, 0, 0}, 1.0f);
+  scene.addShape("ball", ball, kNone);
   EXPECT_FALSE(FlatPrimitives::holds(scene, std::vector<Id>{0, 2}));
   EXPECT_FALSE(FlatPrimitives::holds(scene, std::vector<Id>{1}));
   EXPECT_TRUE(FlatPrimitives::holds(scene, std::vector<Id>{2}));
+  EXPECT_FALSE(FlatPrimitives::holds(scene, {}));
 }
 
 TEST(FlatPrimitives, MaterialsOfPrimitives) {
