@@ -57,7 +57,8 @@ class SampledInverseCdf {
   /// 0 outside of [low, high].
   template <class F>
   F pdf(F x) const {
-    const MaskOf<F> inside = (x >= F(low())) & (x <= F(high()));
+    const F first(low()), last(high());
+    const MaskOf<F> inside = (x >= first) & (x <= last);
     return select(inside, densityOf<F>(binAt(x)), F(0.0f));
   }
   /// The random number that x is made of; x outside is taken as the nearer end.

@@ -23,7 +23,9 @@ class WeightedReservoir {
     count_ += 1;
     accumulate(w);
     // The first is taken whatever rounding makes of its weight.
-    const MaskOf<F> taken = (w > F(0.0f)) & (empty() | (u * total() < w));
+    const MaskOf<F> first = empty();
+    const F sum = total();
+    const MaskOf<F> taken = (w > F(0.0f)) & (first | (u * sum < w));
     keep(taken, item);
     weight_ = select(taken, w, weight_);
     return taken;
@@ -34,7 +36,9 @@ class WeightedReservoir {
     count_ += other.count_;
     accumulate(other.total_);
     accumulate(other.rest_);
-    const MaskOf<F> taken = (!other.empty()) & (empty() | (u * total() < other.total()));
+    const MaskOf<F> first = empty(), offered = !other.empty();
+    const F sum = total(), added = other.total();
+    const MaskOf<F> taken = offered & (first | (u * sum < added));
     keep(taken, other.item_);
     weight_ = select(taken, other.weight_, weight_);
     return taken;
