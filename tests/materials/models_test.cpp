@@ -106,6 +106,20 @@ TEST(Models, NeverMakeNonFiniteValues) {
   });
 }
 
+// A mirror loses what its reflectance says under every angle, and the normal halves the angle between the directions.
+TEST(Models, MirrorsReflectTheirShareUnderEveryAngle) {
+  const Mirror<float> mirror{kColour};
+  for (std::uint32_t i = 0; i < 200; ++i) {
+    const Vec3f wo = randomDirection(i);
+    const auto s = mirror.sample(wo, randomNumbers(i), Transport::Radiance);
+    ASSERT_EQ(s.pdf, kDirac);
+    ASSERT_EQ(s.weight.r, kColour.r);
+    ASSERT_EQ(s.weight.b, kColour.b);
+    ASSERT_NEAR(length(cross(wo + s.wi, Vec3f{0.0f, 0.0f, 1.0f})), 0.0f, 1e-6f);
+    ASSERT_EQ(s.wi.z, wo.z);
+  }
+}
+
 template <class M>
 void expectReciprocal(const M& model, Transport there, Transport back) {
   for (std::uint32_t i = 0; i < 1000; ++i) {
