@@ -39,6 +39,18 @@ TEST(DiskSampling, NothingIsSeenFromItsPlane) {
   }
 }
 
+TEST(DiskSampling, NoDensityIsInfinite) {
+  // So close to the plane, the density of a direction is beyond the floats; infinity would mean a Dirac sample.
+  const Disk<float> disk{{0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 1.0f}, 1.0f};
+  for (const float height : {1e-37f, 1e-39f, -1e-44f}) {
+    for (const Vec2f u : unitPoints(20)) {
+      const DirectionSample<float> s = sampleDirection(disk, {3.0f, 0.0f, height}, u);
+      EXPECT_TRUE(isFinite(s.pdf + s.wi.x + s.wi.z + s.distance)) << height;
+      EXPECT_TRUE(isFinite(pdfDirection(disk, {3.0f, 0.0f, height}, s.wi))) << height;
+    }
+  }
+}
+
 TEST(DiskSampling, DensityByArea) {
   const Disk<float> disk{{0.0f, 0.0f, 2.0f}, {0.0f, 0.0f, -1.0f}, 0.5f};
   EXPECT_FLOAT_EQ(pdfDirection(disk, {}, {0.0f, 0.0f, 1.0f}), 4.0f / 0.78539816f);
