@@ -72,7 +72,7 @@ struct OneLight {
   bool occluded(const Ray<float>&) const { return shadow; }
 };
 
-class DirectLight : public testing::Test {
+class PathLoopWithPlan : public testing::Test {
  protected:
   PathPlan plan(ScatterPdf kind, std::uint32_t lightSamples) const {
     return {.strategy = Strategy::Mis,
@@ -92,7 +92,7 @@ class DirectLight : public testing::Test {
   const Vec3f wi_ = normalize(Vec3f{0.2f, -0.3f, 0.6f});
 };
 
-TEST_F(DirectLight, WeightsOfLightSamplesAndOfHitsAddUpToOne) {
+TEST_F(PathLoopWithPlan, WeightsOfLightSamplesAndOfHitsAddUpToOne) {
   for (const Bsdf& bsdf : bsdfs()) {
     const PathVertex vertex = vertexOn(bsdf);
     const BsdfValue<float> f = bsdf.eval(vertex.wo, wi_, Transport::Radiance);
@@ -110,7 +110,7 @@ TEST_F(DirectLight, WeightsOfLightSamplesAndOfHitsAddUpToOne) {
   }
 }
 
-TEST_F(DirectLight, EverySampleHasNumbersOfItsOwn) {
+TEST_F(PathLoopWithPlan, EverySampleHasNumbersOfItsOwn) {
   const std::vector<Bsdf> all = bsdfs();
   OneLight queries{{grey(2.0f), wi_, 1.0f, 0.1f}};
   for (std::uint32_t bounce = 0; bounce < 5; ++bounce) {
@@ -120,6 +120,37 @@ TEST_F(DirectLight, EverySampleHasNumbersOfItsOwn) {
   for (const LightRandom<float>& random : queries.seen) places.insert(random.position.x);
   EXPECT_EQ(queries.seen.size(), 35u);
   EXPECT_EQ(places.size(), 35u);
+}
+
+/// Targets all around.
+struct TargetsEverywhere {
+  DirectionSample<float> sampleTarget(const TargetSet&, const ScatterPoint<float>&, LightRandom<float> random) const {
+    return SpherePdf<float>().sample(random.position);
+  }
+  float targetPdf(const TargetSet&, const ScatterPoint<float>&, Vec3f) const { return kInvFourPi; }
+};
+
+// The mean of 1 / pdf over the continuous samples is the solid angle that is scattered into, if they have that density.
+TEST_F(PathLoopWithPlan, MixturesHaveTheDensityTheyTell) {
+  const TargetSet targets(test::room());
+  TargetsEverywhere queries;
+  for (const Bsdf& bsdf : bsdfs()) {
+    const PathVertex vertex = vertexOn(bsdf);
+    for (const ScatterPdf kind : kKinds) {
+      PathPlan mixture = plan(kind, 1);
+      mixture.targets = &targets;
+      mixture.targetWeight = 0.7f;
+      double sum = 0.0;
+      constexpr std::uint32_t count = 1u << 14;
+      for (std::uint32_t i = 0; i < count; ++i) {
+        const Sampler<float> sampler({}, 3u, i);
+        const BsdfRandom<float> random{sampler.get1D(0u, Purpose::BsdfLobe), sampler.get2D(0u, Purpose::BsdfDirection)};
+        const BsdfSample<float> s = scatterMixture(mixture, queries, vertex, random, sampler, 0u);
+        if (s.pdf > 0.0f && s.pdf != kDirac) sum += 1.0 / static_cast<double>(s.pdf);
+      }
+      EXPECT_NEAR(sum / count, 6.283185307, 0.06) << static_cast<int>(kind);
+    }
+  }
 }
 
 TEST(PathLoop, SurvivalIsAsProbableAsThePathIsBright) {

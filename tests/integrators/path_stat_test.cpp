@@ -180,6 +180,22 @@ TEST(Roulette, DoesNotChangeTheMean) {
   }
 }
 
+// Of a light that scattering finds about as often, both techniques must weigh all samples of the other. Irradiance
+// below the centre of a square of half edge 2 at height 1: 4 a atan(a), a = 2 / sqrt(5).
+TEST(LightSamples, OfAWideLightKnowOneAnother) {
+  SceneDescription description = test::floorPoint();
+  const Id square = test::addQuad(description, {-2, 1, -2}, {4, 0, 0}, {0, 0, 4}, test::addAbsorber(description));
+  description.setEmission(square, {grey(1.0f), false});
+  const Scene scene(description);
+  const double a = 2.0 / std::sqrt(5.0);
+  for (const std::uint32_t count : {1u, 2u, 5u}) {
+    PathSettings settings = with(Strategy::Mis);
+    settings.lightSamples = count;
+    EXPECT_TRUE(agree(meanOf(scene, PathIntegrator(settings), 16, 64), 4.0 * a * std::atan(a) / 3.14159265359))
+        << count;
+  }
+}
+
 TEST(Mixture, EveryWeightAndSetOfTargetsAgrees) {
   SceneDescription description = test::room();
   const Id glass = description.addMaterial("glass", DielectricMaterial{1.5f, false});

@@ -323,6 +323,9 @@ if __name__ == "__main__":
     except (Failure, mutation_list.ListError) as error:
         print(f"mutate: {error}", file=sys.stderr)
         sys.exit(1)
+    except BrokenPipeError:
+        sys.stdout = None  # whoever read has read enough
+        sys.exit(1)
     except KeyboardInterrupt:
         print("mutate: broken off; --resume goes on", file=sys.stderr)
         sys.exit(130)

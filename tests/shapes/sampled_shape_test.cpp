@@ -52,6 +52,11 @@ TEST(SampledShape, StaysWhatItIsWhereTheMapAllows) {
     EXPECT_TRUE(is<PreparedQuad<float>>(transformed(SampledShape(kQuad), m)));
     EXPECT_TRUE(is<Triangle<float>>(transformed(SampledShape(kTriangle), m)));
   }
+  // One axis alone that differs is enough.
+  for (const Vec3f scale : {Vec3f{0.5f, 2.0f, 2.0f}, Vec3f{2.0f, 0.5f, 2.0f}, Vec3f{2.0f, 2.0f, 0.5f}}) {
+    const Matrix m = linear({scale.x, 0.0f, 0.0f}, {0.0f, scale.y, 0.0f}, {0.0f, 0.0f, scale.z});
+    EXPECT_TRUE(is<SharedTransformed>(transformed(SampledShape(kSphere), m)));
+  }
   // There and back again.
   EXPECT_TRUE(is<Sphere<float>>(transformed(transformed(SampledShape(kSphere), kShear), kShear.inverse())));
 }
