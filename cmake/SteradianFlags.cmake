@@ -7,8 +7,10 @@ target_compile_options(steradian_flags INTERFACE
   -fno-math-errno -fno-trapping-math
   # Optimising g++ 12 gives these two for correct uses of std::string in aggregates (GCC bugs 105651 and 105562);
   # clang++ and the sanitizers look for the same faults.
-  # It also remarks that vectors wider than the target's registers are passed otherwise than by old compilers.
-  $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict -Wno-maybe-uninitialized -Wno-psabi>)
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict -Wno-maybe-uninitialized>
+  # Lanes wider than the target's registers are passed otherwise than where those are wider: all of our code is built for
+  # one target.
+  -Wno-psabi)
 
 if(STERADIAN_WERROR)
   target_compile_options(steradian_flags INTERFACE -Werror)
