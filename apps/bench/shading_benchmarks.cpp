@@ -50,7 +50,8 @@ void registerLights(const std::string& name, Vec3f center, float half) {
     measureCalls(state, kInputs, 1, [&](std::size_t i) {
       const Vec2f place = places.at<float>(i);
       const Vec3f offset{2.0f * place.x - 1.0f, 0.0f, 2.0f * place.y - 1.0f};
-      return scene.lights().sample({center + offset * half, {}, kUp}, {select[i], points.at<float>(i)});
+      return scene.lights().sample(ScatterPoint<float>{center + offset * half, {}, kUp},
+                                   LightRandom<float>{select[i], points.at<float>(i)});
     });
   });
 }
