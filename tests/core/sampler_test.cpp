@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <set>
 
 #include "steradian/core/standard_error.h"
 #include "steradian/tests/support/lanes_check.h"
@@ -188,6 +189,21 @@ TEST(Sampler, DegenerateSettingsWork) {
     EXPECT_TRUE(x >= 0.0f && x < 1.0f);
     const Vec2f q = Sampler<float>({type, 0u, 0xffffffffu, 1u}, 0xffffffffu, 0xffffffffu).get2D(0xffffffffu);
     EXPECT_TRUE(q.x >= 0.0f && q.x < 1.0f && q.y >= 0.0f && q.y < 1.0f);
+  }
+}
+
+/// Beyond its coordinates the full sequence begins again. With one order of the samples in all blocks, the first digits
+/// of a coordinate would tell those of its namesake: 64 samples would meet 8 cells of 8 x 8.
+TEST(Sampler, BlocksOfTheFullSequenceAreUntied) {
+  const SamplerSettings settings{.type = SamplerType::SobolFull, .samplesPerPixel = 64};
+  for (std::uint32_t dimension = 0; dimension < 20; ++dimension) {
+    std::set<int> cells;
+    for (std::uint32_t i = 0; i < 64; ++i) {
+      const Sampler<float> sampler(settings, 5u, i);
+      const float x = sampler.get2D(dimension).x, y = sampler.get2D(dimension + kSobolCoordinates / 2).x;
+      cells.insert(static_cast<int>(8.0f * x) * 8 + static_cast<int>(8.0f * y));
+    }
+    EXPECT_GT(cells.size(), 16u) << dimension;
   }
 }
 
