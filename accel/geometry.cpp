@@ -82,6 +82,7 @@ struct Geometry::Implementation {
   std::vector<Places> places;
   Bounds3 bounds;
   GeometryStatistics statistics;
+  Isa isa = Isa::Baseline;
   // Destroyed in reverse order: scenes before their device.
   std::unique_ptr<embree::Device> device;  ///< none: the world's clusters are tested one after the other
   std::optional<FlatPrimitives> flat;      ///< only then
@@ -117,7 +118,7 @@ void Geometry::Implementation::gather(Hierarchy& hierarchy, std::span<const Id> 
       }
     }
   }
-  hierarchy.clusters = ClusterSet(*description, clustered);
+  hierarchy.clusters = ClusterSet(*description, clustered, isa);
   for (const Id shape : clustered) {
     if (const std::uint32_t* of = hierarchy.clusters.placesOf(shape)) places[shape] = {&hierarchy.clusters, of};
   }
@@ -188,6 +189,8 @@ Geometry::Geometry(std::shared_ptr<const SceneDescription> scene, GeometrySettin
   const auto start = std::chrono::steady_clock::now();
   Implementation& self = *implementation_;
   self.description = std::move(scene);
+  requireUsable(settings.isa);
+  self.isa = settings.isa;
   const SceneDescription& description = *self.description;
   self.places.resize(description.shapes.size());
   std::vector<bool> grouped(description.shapes.size(), false);
@@ -267,6 +270,7 @@ SurfacePoint<float> Geometry::surfacePoint(const Ray<float>& ray, const Hit<floa
 const FlatPrimitives* Geometry::flat() const { return implementation_->flat ? &*implementation_->flat : nullptr; }
 Bounds3 Geometry::bounds() const { return implementation_->bounds; }
 std::span<const Matrix> Geometry::instanceTransforms() const { return implementation_->transforms; }
+Isa Geometry::isa() const { return implementation_->isa; }
 GeometryStatistics Geometry::statistics() const { return implementation_->statistics; }
 
 }  // namespace steradian

@@ -7,6 +7,7 @@
 
 #include "steradian/core/bounds.h"
 #include "steradian/core/description.h"
+#include "steradian/core/isa.h"
 #include "steradian/core/ray.h"
 #include "steradian/core/surface_point.h"
 
@@ -22,6 +23,8 @@ struct GeometrySettings {
   /// Meshes join the clusters if a scene has at most this many triangles in all: one hierarchy in place of two.
   /// Otherwise Embree keeps them, which is a tenth faster for twice the memory.
   std::size_t clusteredTriangles = 256;
+  /// Which code answers queries about the geometry and traces the paths of a render; it must be usable.
+  Isa isa = bestIsa();
 };
 
 struct GeometryStatistics {
@@ -40,7 +43,8 @@ struct GeometryStatistics {
 class Geometry {
  public:
   /// Builds with the threads of the caller's arena. The description must be valid (see validate) and is kept: surface
-  /// points are computed from it. Throws Error: singular transforms, custom shapes without finite bounds, no memory.
+  /// points are computed from it. Throws Error: an instruction set that is not usable, singular transforms, custom
+  /// shapes without finite bounds, no memory.
   explicit Geometry(std::shared_ptr<const SceneDescription> scene, GeometrySettings settings = {});
   ~Geometry();
   Geometry(Geometry&&) noexcept;
@@ -62,6 +66,7 @@ class Geometry {
   /// Local to world, by flattened instance index: the instance sets in order, their transforms in order.
   std::span<const Matrix> instanceTransforms() const;
   GeometryStatistics statistics() const;
+  Isa isa() const;
 
  private:
   struct Implementation;

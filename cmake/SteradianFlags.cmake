@@ -8,8 +8,8 @@ target_compile_options(steradian_flags INTERFACE
   # Optimising g++ 12 gives these two for correct uses of std::string in aggregates (GCC bugs 105651 and 105562);
   # clang++ and the sanitizers look for the same faults.
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict -Wno-maybe-uninitialized>
-  # Lanes wider than the target's registers are passed otherwise than where those are wider: all of our code is built for
-  # one target.
+  # Lanes wider than the target's registers are passed otherwise than where those are wider: code for different targets
+  # hands no lanes to each other (core/isa.h).
   -Wno-psabi)
 
 if(STERADIAN_WERROR)

@@ -6,7 +6,8 @@ include(GNUInstallDirs)
 file(CONFIGURE OUTPUT "${PROJECT_BINARY_DIR}/header_only.cpp" CONTENT "// This room has headers only.\n")
 
 # steradian_layer(NAME GLOBS pattern... [DEPENDS layer...] [LIBRARIES target...])
-# One room as the static library steradian_NAME. LIBRARIES are private: no public header includes them.
+# One room as the static library steradian_NAME. LIBRARIES are private: no public header includes them. *_kernels.cpp
+# are compiled once per instruction set.
 function(steradian_layer name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "GLOBS;DEPENDS;LIBRARIES")
   list(TRANSFORM arg_DEPENDS PREPEND steradian_)
@@ -26,6 +27,11 @@ function(steradian_layer name)
     PRIVATE steradian_flags ${arg_LIBRARIES})
   target_include_directories(steradian_${name} PUBLIC "${PROJECT_BINARY_DIR}/include")
   target_compile_options(steradian_${name} PUBLIC -ffp-contract=off)
+  target_compile_definitions(steradian_${name} PRIVATE STERADIAN_ISA=baseline STERADIAN_DISPATCH=${STERADIAN_DISPATCH})
+  list(FILTER sources INCLUDE REGEX "_kernels\\.cpp$")
+  foreach(source IN LISTS sources)
+    steradian_isa_objects(${name} ${source})
+  endforeach()
 endfunction()
 
 # steradian_library(layer...): libsteradian, made of the objects of all layers.
@@ -33,7 +39,7 @@ function(steradian_library)
   set(objects "")
   set(libraries "")
   foreach(layer IN LISTS ARGN)
-    list(APPEND objects $<TARGET_OBJECTS:steradian_${layer}>)
+    list(APPEND objects $<TARGET_OBJECTS:steradian_${layer}> $<TARGET_PROPERTY:steradian_${layer},STERADIAN_ISA_OBJECTS>)
     get_target_property(linked steradian_${layer} LINK_LIBRARIES)
     list(APPEND libraries ${linked})
   endforeach()

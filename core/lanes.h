@@ -123,6 +123,16 @@ using IntOf = typename LaneTraits<F>::IntType;
 template <class F>
 using UintOf = typename LaneTraits<F>::UintType;
 
+/// As many floats as one instruction of the compile target holds. Not for headers: it differs between the objects that
+/// core/isa.h tells of.
+#if defined(__AVX512F__)
+constexpr int kNativeWidth = 16;
+#elif defined(__AVX__)
+constexpr int kNativeWidth = 8;
+#else
+constexpr int kNativeWidth = 4;
+#endif
+
 // --- The same verbs for one lane and for many -------------------------------------------------------------------
 
 /// Bit i is lane i of the mask.

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 
-#include "steradian/accel/shapes/cluster.h"
 #include "steradian/integrators/wide_path.h"
 
 namespace steradian {
@@ -60,7 +59,8 @@ PathIntegrator::PathIntegrator(const PathSettings& settings) : settings_(setting
 
 std::unique_ptr<const Integrator> PathIntegrator::prepare(const Scene& scene) const {
   if (settings_.width == 1) return std::make_unique<PathTracer>(scene, settings_);
-  return std::make_unique<WidePathTracer>(scene, settings_, settings_.width == 0 ? kLeafWidth : settings_.width);
+  const std::uint32_t width = settings_.width == 0 ? nativeWidth(scene.geometry().isa()) : settings_.width;
+  return std::make_unique<WidePathTracer>(scene, settings_, width);
 }
 
 void PathIntegrator::renderPass(const RenderJob& job, PassRange pass, Film& film) const {

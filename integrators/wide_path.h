@@ -1,6 +1,7 @@
 #pragma once
 /// The path integrator at full width.
 #include "steradian/integrators/path.h"
+#include "steradian/integrators/path_kernels.h"
 #include "steradian/integrators/wide_scene.h"
 
 namespace steradian {
@@ -17,7 +18,7 @@ class WidePathTracer final : public Integrator {
  private:
   PathTracer reference_;
   WideScene wide_;
-  std::uint32_t width_;
+  RenderPathTile renderTile_;
 };
 
 }  // namespace steradian

@@ -20,16 +20,6 @@ namespace steradian {
 
 inline constexpr int kClusterSize = 16;
 
-/// The lanes that a kernel runs over: as wide as one instruction of the compile target.
-#if defined(__AVX512F__)
-inline constexpr int kLeafWidth = 16;
-#elif defined(__AVX__)
-inline constexpr int kLeafWidth = 8;
-#else
-inline constexpr int kLeafWidth = 4;
-#endif
-using LeafLanes = Lanes<kLeafWidth>;
-
 /// The nearest hit so far of one ray, and who it is.
 struct LeafHit {
   float t = kInfinity;
@@ -184,9 +174,9 @@ struct alignas(64) Cluster {
 };
 
 /// One ray in every lane.
-inline Ray<LeafLanes> broadcastRay(const Ray<float>& ray) {
-  return {broadcast<LeafLanes>(ray.origin), broadcast<LeafLanes>(ray.direction), LeafLanes(ray.tMax),
-          LeafLanes(ray.time), LeafLanes(ray.tMin)};
+template <class F>
+Ray<F> broadcastRay(const Ray<float>& ray) {
+  return {broadcast<F>(ray.origin), broadcast<F>(ray.direction), F(ray.tMax), F(ray.time), F(ray.tMin)};
 }
 
 /// Who wins at equal distance: the smaller shape, then primitive, then instance.
@@ -198,14 +188,15 @@ inline bool comesFirst(const LeafHit& a, const LeafHit& b) {
 /// Updates `best` if the cluster has a nearer hit, or an equally near one of smaller id. `instance` is the one that the
 /// cluster is met in, or kNone. The kernel keeps to ray.tMax, not to best.t: kernels that follow one another then do
 /// not wait for each other's result, which is worth 10 to 40 %.
-template <class Leaf>
-void meetNearest(const Cluster<Leaf>& cluster, const Ray<LeafLanes>& ray, std::uint32_t instance, LeafHit& best) {
-  for (int first = 0; first < kClusterSize; first += kLeafWidth) {
+template <class Leaf, class F>
+void meetNearest(const Cluster<Leaf>& cluster, const Ray<F>& ray, std::uint32_t instance, LeafHit& best) {
+  constexpr int width = widthOf<F>;
+  for (int first = 0; first < kClusterSize; first += width) {
     if (cluster.shape[first] == kNone) break;
-    const ShapeHit<LeafLanes> hit = Leaf::meet(cluster.row, first, ray);
+    const ShapeHit<F> hit = Leaf::meet(cluster.row, first, ray);
     std::uint32_t hits = laneBits(hit.valid);
     if (hits == 0) continue;
-    float t[kLeafWidth], u[kLeafWidth], v[kLeafWidth];
+    float t[width], u[width], v[width];
     store(t, hit.t);
     store(u, hit.u);
     store(v, hit.v);
@@ -224,10 +215,10 @@ void meetNearest(const Cluster<Leaf>& cluster, const Ray<LeafLanes>& ray, std::u
 }
 
 /// Is anything hit at all?
-template <class Leaf>
-bool meetAny(const Cluster<Leaf>& cluster, const Ray<LeafLanes>& ray) {
-  Mask<kLeafWidth> hit(false);
-  for (int i = 0; i < kClusterSize; i += kLeafWidth) {
+template <class Leaf, class F>
+bool meetAny(const Cluster<Leaf>& cluster, const Ray<F>& ray) {
+  MaskOf<F> hit(false);
+  for (int i = 0; i < kClusterSize; i += widthOf<F>) {
     if (cluster.shape[i] == kNone) break;
     hit |= Leaf::meet(cluster.row, i, ray).valid;
   }

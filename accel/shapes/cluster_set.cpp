@@ -102,24 +102,28 @@ class Concatenation {
 /// Smaller sets stay in the cache as the description has them.
 constexpr std::uint32_t kPlacedFrom = 4096;
 
-template <std::size_t... I, class Visit>
-bool visitKind(std::index_sequence<I...>, const Visit& visit) {
-  return (visit(std::integral_constant<std::size_t, I>{}) || ...);
-}
 template <class Leaf>
 typename Leaf::Shape leafOf(const Cluster<Leaf>& cluster, int lane) {
   return Leaf::get(cluster.row, lane);
 }
-constexpr auto kClusterKinds = std::make_index_sequence<6>{};
 
 }  // namespace
 
-ClusterSet::ClusterSet(const SceneDescription& scene, std::span<const Id> shapes) {
+const LeafKernels& leafKernels(Isa isa) {
+  if constexpr (STERADIAN_DISPATCH) {
+    if (isa == Isa::Avx2) return avx2::leafKernels;
+    if (isa == Isa::Avx512) return avx512::leafKernels;
+  }
+  return baseline::leafKernels;
+}
+
+ClusterSet::ClusterSet(const SceneDescription& scene, std::span<const Id> shapes, Isa isa)
+    : kernels_(&leafKernels(isa)) {
   // By ascending id, whatever the order in a group: lanes of a cluster are ordered by id.
   std::vector<Id> sorted(shapes.begin(), shapes.end());
   std::sort(sorted.begin(), sorted.end());
   std::size_t kind = 0;
-  const auto close = [&] { end_[kind++] = static_cast<std::uint32_t>(bounds_.size()); };
+  const auto close = [&] { clusters_.end[kind++] = static_cast<std::uint32_t>(bounds_.size()); };
   add<QuadLeaf>(scene, sorted), close();
   add<UprightBoxLeaf>(scene, sorted), close();
   add<SphereLeaf>(scene, sorted), close();
@@ -138,7 +142,7 @@ void ClusterSet::add(const SceneDescription& scene, std::span<const Id> shapes) 
     return boundsOf(SetOf<Leaf>::at(*place.set, place.primitive));
   };
   const ClusterPartition partition = partitionIntoClusters(all.count(), boundsOfOrdinal);
-  Clusters<Leaf>& clusters = std::get<Clusters<Leaf>>(kinds_);
+  auto& clusters = std::get<Clusters::Of<Leaf>>(clusters_.kinds);
   clusters.resize(partition.ranges.size());
   const std::size_t firstCluster = bounds_.size();
   bounds_.resize(firstCluster + clusters.size());
@@ -167,7 +171,7 @@ void ClusterSet::addCustom(const SceneDescription& scene, std::span<const Id> sh
     const auto* set = std::get_if<CustomShapeSet>(&scene.shapes[shape].geometry);
     if (!set) continue;
     for (std::size_t i = 0; i < set->shapes.size(); ++i) {
-      custom_.push_back({set->shapes[i].get(), shape, static_cast<std::uint32_t>(i)});
+      clusters_.custom.push_back({set->shapes[i].get(), shape, static_cast<std::uint32_t>(i)});
       bounds_.push_back(set->shapes[i]->bounds());
     }
   }
@@ -188,91 +192,19 @@ const std::uint32_t* ClusterSet::placesOf(Id shape) const {
 }
 
 LeafShape ClusterSet::leafShape(std::uint32_t place) const {
-  const std::uint32_t cluster = place / kClusterSize;
   const auto lane = static_cast<int>(place % kClusterSize);
   LeafShape shape;
-  std::uint32_t first = 0;
-  visitKind(kClusterKinds, [&](auto kind) {
-    if (cluster >= end_[kind]) {
-      first = end_[kind];
-      return false;
-    }
-    shape = leafOf(std::get<kind>(kinds_)[cluster - first], lane);
-    return true;
-  });
+  clusters_.visit(place / kClusterSize, [&](const auto& cluster) { shape = leafOf(cluster, lane); });
   return shape;
 }
 
 std::size_t ClusterSet::bytes() const {
   const std::size_t clusters =
-      std::apply([](const auto&... kind) { return ((kind.capacity() * sizeof(kind[0])) + ... + 0u); }, kinds_);
+      std::apply([](const auto&... kind) { return ((kind.capacity() * sizeof(kind[0])) + ... + 0u); }, clusters_.kinds);
   std::size_t places = 0;
   for (const Places& p : places_) places += p.places.capacity() * sizeof(p.places[0]);
-  return clusters + places + custom_.capacity() * sizeof(Custom) + bounds_.capacity() * sizeof(Bounds3);
-}
-
-void ClusterSet::nearest(const Custom& custom, const Ray<float>& ray, std::uint32_t instance, LeafHit& best) {
-  const auto hit = custom.implementation->intersect(ray);
-  // Someone else's code: hold it to its contract.
-  if (!hit || !(hit->t > ray.tMin && hit->t < ray.tMax)) return;
-  const LeafHit candidate{hit->t, hit->uv.x, hit->uv.y, custom.shape, custom.primitive, instance};
-  if (candidate.t < best.t || (candidate.t == best.t && comesFirst(candidate, best))) best = candidate;
-}
-
-void ClusterSet::nearest(std::uint32_t cluster, const Ray<float>& ray, std::uint32_t instance, LeafHit& best) const {
-  std::uint32_t first = 0;
-  const bool done = visitKind(kClusterKinds, [&](auto kind) {
-    if (cluster >= end_[kind]) {
-      first = end_[kind];
-      return false;
-    }
-    meetNearest(std::get<kind>(kinds_)[cluster - first], broadcastRay(ray), instance, best);
-    return true;
-  });
-  if (!done) nearest(custom_[cluster - first], ray, instance, best);
-}
-
-void ClusterSet::nearest(const Ray<float>& ray, std::uint32_t instance, LeafHit& best) const {
-  const Ray<LeafLanes> lanes = broadcastRay(ray);
-  std::apply(
-      [&](const auto&... kind) {
-        const auto meetAll = [&](const auto& clusters) {
-          for (const auto& cluster : clusters) meetNearest(cluster, lanes, instance, best);
-        };
-        (meetAll(kind), ...);
-      },
-      kinds_);
-  for (const Custom& custom : custom_) nearest(custom, ray, instance, best);
-}
-
-bool ClusterSet::any(std::uint32_t cluster, const Ray<float>& ray) const {
-  std::uint32_t first = 0;
-  bool hit = false;
-  const bool done = visitKind(kClusterKinds, [&](auto kind) {
-    if (cluster >= end_[kind]) {
-      first = end_[kind];
-      return false;
-    }
-    hit = meetAny(std::get<kind>(kinds_)[cluster - first], broadcastRay(ray));
-    return true;
-  });
-  if (done) return hit;
-  LeafHit custom;
-  nearest(custom_[cluster - first], ray, kNone, custom);
-  return custom.found();
-}
-
-bool ClusterSet::any(const Ray<float>& ray) const {
-  const Ray<LeafLanes> lanes = broadcastRay(ray);
-  const auto meetsAny = [&](const auto& clusters) {
-    return std::any_of(clusters.begin(), clusters.end(), [&](const auto& cluster) { return meetAny(cluster, lanes); });
-  };
-  if (std::apply([&](const auto&... kind) { return (meetsAny(kind) || ...); }, kinds_)) return true;
-  return std::any_of(custom_.begin(), custom_.end(), [&](const Custom& custom) {
-    LeafHit hit;
-    nearest(custom, ray, kNone, hit);
-    return hit.found();
-  });
+  return clusters + places + clusters_.custom.capacity() * sizeof(Clusters::Custom) +
+         bounds_.capacity() * sizeof(Bounds3);
 }
 
 }  // namespace steradian

@@ -1,12 +1,10 @@
 #pragma once
 /// All clusters of one hierarchy: the shapes placed directly in a scene, or those of one group.
-#include <array>
 #include <span>
-#include <tuple>
 #include <variant>
 #include <vector>
 
-#include "steradian/accel/shapes/cluster.h"
+#include "steradian/accel/shapes/leaf_kernels.h"
 #include "steradian/core/bounds.h"
 #include "steradian/core/description.h"
 
@@ -19,11 +17,11 @@ class ClusterSet {
  public:
   ClusterSet() = default;
   /// Clusters of the given shapes; built by the threads of the caller's arena. The description must outlive the set if
-  /// it has custom shapes; of all others the set keeps what it needs.
-  ClusterSet(const SceneDescription& scene, std::span<const Id> shapes);
+  /// it has custom shapes; of all others the set keeps what it needs. Queries run on the kernels of `isa`.
+  ClusterSet(const SceneDescription& scene, std::span<const Id> shapes, Isa isa = bestIsa());
 
   /// Number of clusters; those below are 0 to size()-1.
-  std::uint32_t size() const { return end_.back(); }
+  std::uint32_t size() const { return clusters_.end.back(); }
   /// Bounds of one cluster, until dropBounds().
   const Bounds3& bounds(std::uint32_t cluster) const { return bounds_[cluster]; }
   /// Bounds of everything.
@@ -40,18 +38,17 @@ class ClusterSet {
 
   /// Nearest hit with tMin < t < tMax among the primitives of one cluster or of all: updates `best` where it is nearer,
   /// or equally near with a smaller id. `instance`: the one met in, or kNone.
-  void nearest(std::uint32_t cluster, const Ray<float>& ray, std::uint32_t instance, LeafHit& best) const;
-  void nearest(const Ray<float>& ray, std::uint32_t instance, LeafHit& best) const;
+  void nearest(std::uint32_t cluster, const Ray<float>& ray, std::uint32_t instance, LeafHit& best) const {
+    kernels_->nearestInOne(clusters_, cluster, ray, instance, best);
+  }
+  void nearest(const Ray<float>& ray, std::uint32_t instance, LeafHit& best) const {
+    kernels_->nearestInAll(clusters_, ray, instance, best);
+  }
   /// Is anything hit between tMin and tMax?
-  bool any(std::uint32_t cluster, const Ray<float>& ray) const;
-  bool any(const Ray<float>& ray) const;
+  bool any(std::uint32_t cluster, const Ray<float>& ray) const { return kernels_->anyInOne(clusters_, cluster, ray); }
+  bool any(const Ray<float>& ray) const { return kernels_->anyInAll(clusters_, ray); }
 
  private:
-  /// A custom shape is a cluster of one.
-  struct Custom {
-    const CustomShape* implementation;
-    std::uint32_t shape, primitive;
-  };
   struct Places {
     Id shape;
     std::vector<std::uint32_t> places;  ///< cluster * kClusterSize + lane
@@ -60,15 +57,9 @@ class ClusterSet {
   void add(const SceneDescription& scene, std::span<const Id> shapes);
   std::uint32_t* placesToFill(Id shape);
   void addCustom(const SceneDescription& scene, std::span<const Id> shapes);
-  static void nearest(const Custom& custom, const Ray<float>& ray, std::uint32_t instance, LeafHit& best);
 
-  template <class Leaf>
-  using Clusters = std::vector<Cluster<Leaf>>;
-  std::tuple<Clusters<QuadLeaf>, Clusters<UprightBoxLeaf>, Clusters<SphereLeaf>, Clusters<TriangleLeaf>,
-             Clusters<DiskLeaf>, Clusters<TurnedBoxLeaf>>
-      kinds_;
-  std::vector<Custom> custom_;
-  std::array<std::uint32_t, 7> end_{};  ///< one past the last cluster of each kind, in order; custom shapes last
+  const LeafKernels* kernels_ = &leafKernels(Isa::Baseline);
+  Clusters clusters_;
   std::vector<Places> places_;
   std::vector<Bounds3> bounds_;
   Bounds3 total_;

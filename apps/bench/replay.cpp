@@ -7,12 +7,14 @@
 #include <atomic>
 #include <bit>
 
-#include "steradian/accel/shapes/cluster.h"
 #include "steradian/accel/shapes/flat_primitives.h"
 #include "steradian/core/float_mode.h"
 
 namespace steradian::bench {
 namespace {
+
+using F = Lanes<kNativeWidth>;
+using Active = Mask<kNativeWidth>;
 
 /// About the rays of one sample per pixel of a tile.
 constexpr std::size_t kRun = 2048;
@@ -37,7 +39,7 @@ class Packet {
   std::uint64_t add(const Ray<float>& ray) {
     setLane(rays_, count_, ray);
     setLane(active_, count_, true);
-    return ++count_ == kLeafWidth ? flush() : 0;
+    return ++count_ == kNativeWidth ? flush() : 0;
   }
   std::uint64_t flush() {
     const auto hits = static_cast<std::uint64_t>(std::popcount(laneBits(query_(rays_, active_))));
@@ -48,15 +50,14 @@ class Packet {
 
  private:
   Query query_;
-  Ray<LeafLanes> rays_;
-  Mask<kLeafWidth> active_{false};
+  Ray<F> rays_;
+  Active active_{false};
   int count_ = 0;
 };
 
 std::uint64_t countHits(const FlatPrimitives& primitives, std::span<const RecordedRay> rays) {
-  using Active = Mask<kLeafWidth>;
-  Packet nearest([&](const Ray<LeafLanes>& r, Active active) { return primitives.nearest(r, active).valid; });
-  Packet any([&](const Ray<LeafLanes>& r, Active active) { return primitives.any(r, active); });
+  Packet nearest([&](const Ray<F>& r, Active active) { return primitives.nearest(r, active).valid; });
+  Packet any([&](const Ray<F>& r, Active active) { return primitives.any(r, active); });
   std::uint64_t hits = 0;
   for (const RecordedRay& recorded : rays) {
     hits += recorded.kind == RayKind::Shadow ? any.add(recorded.ray) : nearest.add(recorded.ray);

@@ -24,6 +24,17 @@ LeafHit oneByOne(const std::vector<Shape>& shapes, const Ray<float>& ray) {
   return best;
 }
 
+template <class F, class Leaf>
+void expectMeets(const Cluster<Leaf>& cluster, const Ray<float>& ray, const LeafHit& expected) {
+  LeafHit best;
+  meetNearest(cluster, broadcastRay<F>(ray), kNone, best);
+  ASSERT_EQ(best.found(), expected.found());
+  ASSERT_EQ(best.t, expected.t);
+  ASSERT_EQ(best.primitive, expected.primitive);
+  ASSERT_EQ(best.shape, expected.shape);
+  ASSERT_EQ(meetAny(cluster, broadcastRay<F>(ray)), expected.found());
+}
+
 template <class Leaf, class Make>
 void expectClusterIsLoop(unsigned seed, int count, const Make& make) {
   Random random(seed);
@@ -37,13 +48,9 @@ void expectClusterIsLoop(unsigned seed, int count, const Make& make) {
     }
     const Ray<float> ray = random.rayTowards({0.0f, 0.0f, 0.0f}, 1.0f, 4.0f);
     const LeafHit expected = oneByOne(shapes, ray);
-    LeafHit best;
-    meetNearest(cluster, broadcastRay(ray), kNone, best);
-    ASSERT_EQ(best.found(), expected.found());
-    ASSERT_EQ(best.t, expected.t);
-    ASSERT_EQ(best.primitive, expected.primitive);
-    ASSERT_EQ(best.shape, expected.shape);
-    ASSERT_EQ(meetAny(cluster, broadcastRay(ray)), expected.found());
+    ASSERT_NO_FATAL_FAILURE(expectMeets<Lanes<4>>(cluster, ray, expected));
+    ASSERT_NO_FATAL_FAILURE(expectMeets<Lanes<8>>(cluster, ray, expected));
+    ASSERT_NO_FATAL_FAILURE(expectMeets<Lanes<16>>(cluster, ray, expected));
     hits += expected.found();
   }
   EXPECT_GT(hits, 5);
@@ -65,7 +72,7 @@ TEST(Cluster, EquallyNearHitsGoToTheSmallestId) {
   Cluster<QuadLeaf> cluster;
   for (int i = 0; i < kClusterSize; ++i) cluster.put(i, quad, 3, static_cast<std::uint32_t>(10 + i));
   const auto nearest = [&](LeafHit best, std::uint32_t instance) {
-    meetNearest(cluster, broadcastRay(ray), instance, best);
+    meetNearest(cluster, broadcastRay<Lanes<8>>(ray), instance, best);
     return best;
   };
   EXPECT_EQ(nearest({}, kNone).primitive, 10u);

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "steradian/accel/shapes/shape_hit.h"
+#include "steradian/accel/shapes/cluster.h"
 
 namespace steradian::test {
 
@@ -57,11 +57,6 @@ void expectLane(const ShapeHit<F>& wide, int i, const ShapeHit<float>& one) {
   ASSERT_EQ(lane(wide.t, i), one.t);
   ASSERT_EQ(lane(wide.u, i), one.u);
   ASSERT_EQ(lane(wide.v, i), one.v);
-}
-
-template <class F>
-Ray<F> broadcastRay(const Ray<float>& ray) {
-  return {broadcast<F>(ray.origin), broadcast<F>(ray.direction), F(ray.tMax), F(ray.time), F(ray.tMin)};
 }
 
 /// Lanes over primitives with one ray, and lanes over rays with one primitive, give what width 1 gives. `widen` makes

@@ -1,0 +1,36 @@
+#pragma once
+/// The hot function of the wide path integrator, once per instruction set (core/isa.h).
+#include "steradian/core/isa.h"
+#include "steradian/integrators/path_loop.h"
+#include "steradian/integrators/render_job.h"
+#include "steradian/integrators/wide_scene.h"
+
+namespace steradian {
+
+/// Renders the samples of a pass in one tile, by path_packet.h.
+using RenderPathTile = void (*)(const WideScene&, const PathPlan&, const RenderJob&, PassRange, const Crop& tile, Film&,
+                                PathCounts&);
+
+/// Null: not compiled for this set.
+struct PathKernels {
+  std::uint32_t nativeWidth;
+  RenderPathTile width4, width8, width16;
+};
+
+/// Paths traced at once by default: as many as an instruction holds floats.
+std::uint32_t nativeWidth(Isa isa);
+/// `width` is 4, 8 or 16. Each set has the function of its native width. Those of other widths are the baseline's, on
+/// every machine: they are there to compare with, and would double the time to compile.
+RenderPathTile pathKernel(Isa isa, std::uint32_t width);
+
+namespace baseline {
+extern const PathKernels pathKernels;
+}
+namespace avx2 {
+extern const PathKernels pathKernels;
+}
+namespace avx512 {
+extern const PathKernels pathKernels;
+}
+
+}  // namespace steradian
