@@ -8,6 +8,8 @@
 
 namespace steradian::embree {
 
+inline constexpr const char* kVersion = RTC_VERSION_STRING;
+
 inline void intersect(RTCScene scene, RTCRayHit& rayHit) {
 #if STERADIAN_EMBREE_MAJOR >= 4
   rtcIntersect1(scene, &rayHit);

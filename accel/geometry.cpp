@@ -184,6 +184,8 @@ void Geometry::Implementation::buildHierarchies() {
   device->check();
 }
 
+std::string_view embreeVersion() { return embree::kVersion; }
+
 Geometry::Geometry(std::shared_ptr<const SceneDescription> scene, GeometrySettings settings)
     : implementation_(std::make_unique<Implementation>()) {
   const auto start = std::chrono::steady_clock::now();

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <memory>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "steradian/core/bounds.h"
@@ -14,6 +15,9 @@
 namespace steradian {
 
 class FlatPrimitives;
+
+/// "3.13.5": what the library was built with.
+std::string_view embreeVersion();
 
 struct GeometrySettings {
   /// Scenes of at most this many clusters (and no instances or native triangles) are tested cluster by cluster,

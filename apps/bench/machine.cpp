@@ -6,6 +6,8 @@
 
 #include <fstream>
 
+#include "steradian/core/build_info.h"
+
 namespace steradian::bench {
 namespace {
 
@@ -31,14 +33,6 @@ const char* vectors() {
 #endif
 }
 
-const char* compiler() {
-#if defined(__clang__)
-  return "clang++ " __clang_version__;
-#else
-  return "g++ " __VERSION__;
-#endif
-}
-
 }  // namespace
 
 double systemLoad() {
@@ -48,7 +42,7 @@ double systemLoad() {
 
 std::string machineLine() {
   return fmt::format("{}, {} processors, {}, {}, load {:.1f}", processorName(), tbb::this_task_arena::max_concurrency(),
-                     vectors(), compiler(), systemLoad());
+                     vectors(), compilerVersion(), systemLoad());
 }
 
 }  // namespace steradian::bench

@@ -202,6 +202,9 @@ void declareRenderOptions(CLI::App& command, RenderTexts& texts) {
   option("--target", texts.targets, "NAMES",
          "what `mixture` aims at: names of shapes, or lights;\nseparated by commas (default: the scene's)");
   option("--width", texts.pathWidth, "N", "paths traced at once: 1, 4, 8 or 16; 0 (default): as many as pay here");
+  option(
+      "--isa", texts.isa, "NAME",
+      "instruction set: baseline, avx2 or avx512 (default: the\nwidest of the processor); never changes the picture");
   option("--crop", texts.crop, "x0,x1,y0,y1", "render only these pixels; y counts from the top");
   option("--sampler", texts.sampler, "NAME",
          "independent, stratified, halton, sobol (default),\nsobol-full, blue-noise or pmj02; stratified and\n"
@@ -228,6 +231,12 @@ RenderOptions checkRenderOptions(const RenderTexts& texts, Arguments& arguments)
   options.replay = replayOptions(texts, options.integrator);
   collect(arguments, [&] { makeIntegrator(options.integrator); });
   if (texts.threads) options.threads = static_cast<int>(arguments.whole("--threads", *texts.threads, 1, kMaxThreads));
+  if (texts.isa) {
+    collect(arguments, [&] {
+      options.isa = isaOf(*texts.isa);
+      requireUsable(options.isa);
+    });
+  }
   options.statistics = checkStatistics(texts, arguments);
   checkDisplay(texts, options, arguments);
   collect(arguments, [&] {

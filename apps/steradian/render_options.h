@@ -9,6 +9,7 @@
 #include "steradian/core/description.h"
 #include "steradian/core/display.h"
 #include "steradian/core/image_io.h"
+#include "steradian/core/isa.h"
 #include "steradian/integrators/render_settings.h"
 
 namespace CLI {
@@ -23,7 +24,7 @@ struct RenderTexts {
   std::vector<std::string> outputs;
   std::optional<std::string> size, samples, time, seed, threads, crop, tileSize;
   std::optional<std::string> sampler, filter, replicates;
-  std::optional<std::string> integrator, strategy, maxDepth, targets, pathWidth;
+  std::optional<std::string> integrator, strategy, maxDepth, targets, pathWidth, isa;
   std::optional<std::string> format, display, view, exposure;
   std::optional<std::string> statistics;
   bool quiet = false, verbose = false;
@@ -40,8 +41,9 @@ struct RenderOptions {
   SceneDescription scene;
   std::vector<Output> outputs;
   RenderSettings settings;
-  std::string integrator;          ///< a complete spec
-  std::string replay;              ///< the options, as typed, that choose the samples of a pixel
+  std::string integrator;  ///< a complete spec
+  std::string replay;      ///< the options, as typed, that choose the samples of a pixel
+  Isa isa = bestIsa();
   int threads = 0;                 ///< 0: all processors
   std::optional<Display> display;  ///< if an output is display-referred
   DisplaySettings view;            ///< of display-referred outputs

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "steradian/core/isa.h"
 #include "steradian/tests/apps/cli_test.h"
 
 namespace steradian::cli {
@@ -91,6 +92,20 @@ TEST_F(Info, AsJson) {
   const json scene = json::parse(outcome.output);
   EXPECT_EQ(scene["counts"]["box"], 100);
   EXPECT_EQ(scene["camera"]["lookFrom"], json({278, 278, -800}));
+}
+
+TEST_F(Info, OfTheBuild) {
+  const Outcome outcome = run({"info", "--build", "--json"});
+  EXPECT_EQ(outcome.exitCode, 0);
+  const json build = json::parse(outcome.output);
+  EXPECT_EQ(build["isa"], std::string(nameOf(bestIsa())));
+  EXPECT_EQ(build["isas"].size(), compiledIsas().size());
+  for (const char* library : {"Embree", "OpenImageIO", "OpenColorIO", "oneTBB"}) {
+    EXPECT_GE(std::stoi(build["libraries"][library].get<std::string>()), 2) << library;
+    EXPECT_NE(run({"info", "--build"}).output.find(library), std::string::npos);
+  }
+  expectComplaints(run({"info", "--build", "quads"}), 2, {"either a scene or --build"});
+  expectComplaints(run({"info"}), 2, {"either a scene or --build"});
 }
 
 TEST_F(Info, ScenesAreListed) {

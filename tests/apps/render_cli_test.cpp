@@ -8,6 +8,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "steradian/core/isa.h"
 #include "steradian/tests/apps/cli_test.h"
 
 namespace steradian::cli {
@@ -50,15 +51,18 @@ TEST_F(Render, AnExrSaysWhereItComesFrom) {
   EXPECT_EQ(*seed, "7");
 }
 
-TEST_F(Render, ThreadsAndTilesDoNotChangeABit) {
-  const std::vector<std::vector<std::string>> ways{
+TEST_F(Render, ThreadsTilesAndInstructionSetsDoNotChangeABit) {
+  std::vector<std::vector<std::string>> ways{
       {"-t", "1"}, {"-t", "2"}, {"-t", "3", "--tile", "5"}, {"-t", "8", "--tile", "64"}};
+  for (const Isa isa : compiledIsas()) {
+    if (isUsable(isa)) ways.push_back({"--isa", std::string(nameOf(isa))});
+  }
   std::vector<float> first;
   for (std::vector<std::string> way : ways) {
     way.insert(way.end(), {"-o", "a.exr"});
     ASSERT_EQ(render(way).exitCode, 0);
     if (first.empty()) first = pixelsOf(image("a.exr"));
-    EXPECT_EQ(pixelsOf(image("a.exr")), first) << way[1] << " threads";
+    EXPECT_EQ(pixelsOf(image("a.exr")), first) << way[0] << " " << way[1];
   }
   ASSERT_EQ(render({"--seed", "1", "-o", "a.exr"}).exitCode, 0);
   EXPECT_NE(pixelsOf(image("a.exr")), first) << "the test must be able to fail";

@@ -89,6 +89,19 @@ TEST(RenderOptions, Values) {
   EXPECT_EQ(options.statistics, StatisticsFormat::Text);
 }
 
+TEST(RenderOptions, InstructionSets) {
+  EXPECT_EQ(parse({}).isa, bestIsa());
+  EXPECT_EQ(parse({"--isa", "baseline"}).isa, Isa::Baseline);
+  EXPECT_TRUE(contains(complaint({"--isa", "axv2"}), R"(unknown instruction set "axv2" (did you mean "avx2"?))"));
+  for (const Isa isa : {Isa::Avx2, Isa::Avx512}) {
+    if (isUsable(isa)) {
+      EXPECT_EQ(parse({"--isa", std::string(nameOf(isa))}).isa, isa);
+    } else {
+      EXPECT_TRUE(contains(complaint({"--isa", std::string(nameOf(isa))}), "has no " + std::string(nameOf(isa))));
+    }
+  }
+}
+
 TEST(RenderOptions, ACropIsCheckedAgainstTheScenesSizeIfNoOtherIsGiven) {
   EXPECT_TRUE(parse({"--crop", "599,600,0,600"}).settings.crop);
   EXPECT_TRUE(contains(complaint({"--crop", "0,601,0,600"}), "x1 <= 600"));

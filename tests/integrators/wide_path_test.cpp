@@ -76,6 +76,15 @@ Rendered renderWith(const Scene& scene, const std::string& integrator, const Ren
   return {{image.values().begin(), image.values().end()}, result.statistics.paths};
 }
 
+void expectEqual(const Rendered& a, const Rendered& b, const std::string& what) {
+  ASSERT_EQ(a.values.size(), b.values.size());
+  std::size_t different = 0;
+  for (std::size_t i = 0; i < a.values.size(); ++i) different += bitsOf(a.values[i]) == bitsOf(b.values[i]) ? 0u : 1u;
+  EXPECT_EQ(different, 0u) << what;
+  EXPECT_EQ(a.counts.shadowRays, b.counts.shadowRays) << what;
+  EXPECT_EQ(a.counts.pathLengths, b.counts.pathLengths) << what;
+}
+
 /// Whether all widths give the picture and the counts of width 1.
 void expectEqualWidths(const Scene& scene, const std::string& integrator, const RenderSettings& settings) {
   const Rendered one = renderWith(scene, integrator + ":width=1", settings);
@@ -83,15 +92,7 @@ void expectEqualWidths(const Scene& scene, const std::string& integrator, const 
   for (const float v : one.values) sum += std::isfinite(v) ? static_cast<double>(v) : 0.0;
   EXPECT_GT(sum, 0.0) << integrator;
   for (const char* width : {"0", "4", "8", "16"}) {
-    const Rendered wide = renderWith(scene, integrator + ":width=" + width, settings);
-    ASSERT_EQ(wide.values.size(), one.values.size());
-    std::size_t different = 0;
-    for (std::size_t i = 0; i < one.values.size(); ++i) {
-      different += bitsOf(one.values[i]) == bitsOf(wide.values[i]) ? 0u : 1u;
-    }
-    EXPECT_EQ(different, 0u) << integrator << ", width " << width;
-    EXPECT_EQ(wide.counts.shadowRays, one.counts.shadowRays) << integrator << ", width " << width;
-    EXPECT_EQ(wide.counts.pathLengths, one.counts.pathLengths) << integrator << ", width " << width;
+    expectEqual(renderWith(scene, integrator + ":width=" + width, settings), one, integrator + ", width " + width);
   }
 }
 
@@ -132,6 +133,39 @@ TEST(WidePath, EqualsWidthOneWithAHierarchy) {
   for (const char* name : {"one-weekend", "cornell-city:200", "cornell-tower:3", "simple-light"}) {
     const Scene scene(makeScene(name));
     expectEqualWidths(scene, "path", settingsOf(16, 9, 3));
+  }
+}
+
+TEST(WidePath, IsTheSameForEveryInstructionSet) {
+  const auto scene = [](int which) {
+    if (which == 0) return plainRoom();
+    if (which == 1) return everythingRoom();
+    return which == 2 ? openScene() : makeScene(which == 3 ? "one-weekend" : "cornell-tower:3");
+  };
+  for (const int which : {0, 1, 2, 3, 4}) {
+    const auto rendered = [&](Isa isa, const char* width) {
+      const SceneSettings settings{.geometry = {.directClusters = which == 0 ? 64u : 4u, .isa = isa}, .lights = {}};
+      return renderWith(Scene(scene(which), settings), std::string("path:width=") + width, settingsOf(13, 11, 4));
+    };
+    const Rendered baseline = rendered(Isa::Baseline, "1");
+    for (const Isa isa : compiledIsas()) {
+      if (!isUsable(isa)) continue;
+      for (const char* width : {"0", "1", "4", "8", "16"}) {
+        expectEqual(rendered(isa, width), baseline,
+                    "scene " + std::to_string(which) + ", " + std::string(nameOf(isa)) + ", width " + width);
+      }
+    }
+  }
+}
+
+TEST(WidePath, TheInstructionSetMustBeUsable) {
+  for (const Isa isa : {Isa::Baseline, Isa::Avx2, Isa::Avx512}) {
+    const SceneSettings settings{.geometry = {.isa = isa}, .lights = {}};
+    if (isUsable(isa)) {
+      EXPECT_NO_THROW(Scene({}, settings));
+    } else {
+      EXPECT_THROW(Scene({}, settings), Error);
+    }
   }
 }
 

@@ -112,7 +112,7 @@ def configure() -> None:
     # Compiling is most of the work, so it is worth optimising less; but the statistical tests must run too.
     code, output = run(["cmake", "-S", str(TREE), "-B", str(BUILD), "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
                         "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG", "-DSTERADIAN_TESTS=ON",
-                        "-DSTERADIAN_TEST_PER_FILE=ON"], ROOT)
+                        "-DSTERADIAN_TEST_PER_FILE=ON", "-DSTERADIAN_ARCH=native"], ROOT)
     if code != 0:
         raise Failure(f"cmake failed:\n{output}")
 

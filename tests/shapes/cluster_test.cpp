@@ -199,7 +199,11 @@ TEST(ClusterSet, OneClusterAtATimeIsAllAtOnce) {
   scene.addShape("spheres", spheres, 0);
   scene.addShape("quads", quads, 0);
   const std::vector<Id> ids = {1, 0};
-  const ClusterSet set(scene, ids);
+  const ClusterSet set(scene, ids, Isa::Baseline);
+  std::vector<ClusterSet> sameSets;
+  for (const Isa isa : compiledIsas()) {
+    if (isUsable(isa)) sameSets.emplace_back(scene, ids, isa);
+  }
   EXPECT_EQ(set.size(), 14u);
   EXPECT_GT(set.bytes(), 14u * 16u * 6u * 4u);
   for (int i = 0; i < 500; ++i) {
@@ -217,6 +221,15 @@ TEST(ClusterSet, OneClusterAtATimeIsAllAtOnce) {
     ASSERT_EQ(all.primitive, one.primitive);
     ASSERT_EQ(any, all.found());
     ASSERT_EQ(set.any(ray), all.found());
+    for (const ClusterSet& same : sameSets) {
+      LeafHit hit;
+      same.nearest(ray, kNone, hit);
+      ASSERT_EQ(hit.t, all.t);
+      ASSERT_EQ(hit.u, all.u);
+      ASSERT_EQ(hit.primitive, all.primitive);
+      ASSERT_EQ(same.any(ray), all.found());
+      for (std::uint32_t c = 0; c < set.size(); ++c) ASSERT_EQ(same.any(c, ray), set.any(c, ray));
+    }
   }
 }
 

@@ -1,0 +1,17 @@
+#pragma once
+/// What this library was built by and runs with, for reports of faults and measurements.
+#include <string>
+#include <vector>
+
+namespace steradian {
+
+/// "g++ 12.2.0"
+std::string compilerVersion();
+
+struct LibraryVersion {
+  std::string name, version;
+};
+/// The shared libraries that `core` runs with; Embree's is embreeVersion() (accel/geometry.h).
+std::vector<LibraryVersion> libraryVersions();
+
+}  // namespace steradian
