@@ -9,7 +9,9 @@
 set(STERADIAN_ISAS "")
 if(NOT STERADIAN_ARCH AND NOT STERADIAN_SANITIZE)
   include(CheckCXXSourceCompiles)
-  check_cxx_source_compiles("int main() { return __builtin_cpu_supports(\"x86-64-v4\"); }" STERADIAN_DISPATCH_COMPILES)
+  check_cxx_source_compiles(
+    "static_assert(sizeof(void*) == 8); int main() { return __builtin_cpu_supports(\"x86-64-v4\"); }"
+    STERADIAN_DISPATCH_COMPILES)
   if(STERADIAN_DISPATCH_COMPILES)
     set(STERADIAN_ISAS avx2=x86-64-v3 avx512=x86-64-v4)
   endif()
@@ -28,6 +30,7 @@ function(steradian_isa_objects layer source)
   string(REGEX REPLACE "_kernels$" "Kernels" table ${name})
   string(LENGTH ${table} table_length)
   get_target_property(libraries steradian_${layer} LINK_LIBRARIES)
+  set(files "")
   foreach(entry IN LISTS STERADIAN_ISAS)
     string(REGEX MATCH "^(.*)=(.*)$" entry ${entry})
     set(isa ${CMAKE_MATCH_1})

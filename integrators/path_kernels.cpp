@@ -54,7 +54,7 @@ constexpr RenderPathTile kernel() {
 }  // namespace
 
 namespace STERADIAN_ISA {
-const PathKernels pathKernels{kNativeWidth, kernel<4>(), kernel<8>(), kernel<16>()};
+constinit const PathKernels pathKernels{kNativeWidth, kernel<4>(), kernel<8>(), kernel<16>()};
 }
 
 }  // namespace steradian

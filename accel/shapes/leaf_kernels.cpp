@@ -60,7 +60,7 @@ bool anyInAll(const Clusters& clusters, const Ray<float>& ray) {
 }  // namespace
 
 namespace STERADIAN_ISA {
-const LeafKernels leafKernels{nearestInOne, nearestInAll, anyInOne, anyInAll};
+constinit const LeafKernels leafKernels{nearestInOne, nearestInAll, anyInOne, anyInAll};
 }
 
 }  // namespace steradian
