@@ -3,17 +3,6 @@
 #include "steradian/integrators/path_packet.h"
 
 namespace steradian {
-
-namespace baseline {
-constexpr bool kEveryWidth = true;
-}
-namespace avx2 {
-constexpr bool kEveryWidth = false;
-}
-namespace avx512 {
-constexpr bool kEveryWidth = false;
-}
-
 namespace {
 
 /// Samples that one packet takes in a row: enough that lanes seldom idle at the end, few enough for the cache.

@@ -20,17 +20,20 @@ struct PathKernels {
 /// Paths traced at once by default: as many as an instruction holds floats.
 std::uint32_t nativeWidth(Isa isa);
 /// `width` is 4, 8 or 16. Each set has the function of its native width. Those of other widths are the baseline's, on
-/// every machine: they are there to compare with, and would double the time to compile.
+/// every machine: they are there to compare with, and to compile them for each set would take two minutes.
 RenderPathTile pathKernel(Isa isa, std::uint32_t width);
 
 namespace baseline {
+inline constexpr bool kEveryWidth = true;
 extern const PathKernels pathKernels;
-}
+}  // namespace baseline
 namespace avx2 {
+inline constexpr bool kEveryWidth = false;
 extern const PathKernels pathKernels;
-}
+}  // namespace avx2
 namespace avx512 {
+inline constexpr bool kEveryWidth = false;
 extern const PathKernels pathKernels;
-}
+}  // namespace avx512
 
 }  // namespace steradian
