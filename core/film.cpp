@@ -12,13 +12,10 @@
 #include <utility>
 
 #include "steradian/core/diagnostics.h"
+#include "steradian/core/film_kernels.h"
 
 namespace steradian {
 namespace {
-
-/// Below these a sample takes the short way: steps64 and ShortSum128.
-constexpr float kNarrowLimit = 0x1p18f;
-constexpr float kDepthLimit = 0x1p31f;
 
 std::string sizeText(int width, int height) { return std::to_string(width) + " x " + std::to_string(height); }
 
@@ -53,58 +50,15 @@ bool allFinite(const PixelSample& s) {
          isFinite(s.normal.y) && isFinite(s.normal.z);
 }
 
-std::array<float, 10> valuesOf(const PixelSample& s) {
-  return {s.radiance.r, s.radiance.g, s.radiance.b, s.alpha,    s.albedo.r,
-          s.albedo.g,   s.albedo.b,   s.normal.x,   s.normal.y, s.normal.z};
-}
-
-constexpr std::size_t kBatch = 16;
-using Column = std::array<float, kBatch>;
-
-/// Up to kBatch samples by channel, padded with zeros, which change no sum: loops that the compiler turns into SIMD.
-struct Batch {
-  std::array<Column, 10> values{};
-  Column depth{};  // 0 for a miss
-  std::uint32_t hits = 0;
-
-  explicit Batch(std::span<const PixelSample> samples) {
-    for (std::size_t i = 0; i < samples.size(); ++i) {
-      const std::array<float, 10> v = valuesOf(samples[i]);
-      for (std::size_t c = 0; c < v.size(); ++c) values[c][i] = v[c];
-      const bool hit = samples[i].depth != kInfinity;
-      depth[i] = hit ? samples[i].depth : 0.0f;
-      hits += hit ? 1u : 0u;
-    }
-  }
-  /// All values are finite and small enough for the short way. Compares bits, which order magnitudes as their values
-  /// do, NaN and infinity last; by place first, by channel only in the end, because that is the order of SIMD lanes.
-  bool ordinary() const {
-    std::array<std::uint32_t, kBatch> largest{};
-    for (const Column& column : values) {
-      for (std::size_t i = 0; i < kBatch; ++i) largest[i] = std::max(largest[i], bitsOf(absolute(column[i])));
-    }
-    std::uint32_t largestValue = 0, largestDepth = 0;
-    for (std::size_t i = 0; i < kBatch; ++i) {
-      largestValue = std::max(largestValue, largest[i]);
-      largestDepth = std::max(largestDepth, bitsOf(absolute(depth[i])));
-    }
-    return largestValue < bitsOf(kNarrowLimit) && largestDepth < bitsOf(kDepthLimit);
-  }
-};
-
-FixedPoint128 wideSum(const Column& column) {
-  ShortSum128 sum;
-  for (const float v : column) sum.add(v);
-  return sum.total();
-}
-
-FixedPoint64 narrowSum(const Column& column) {
-  std::int64_t steps = 0;
-  for (const float v : column) steps += steps64(v);
-  return FixedPoint64::fromSteps(steps);
-}
-
 }  // namespace
+
+const FilmKernels& filmKernels(Isa isa) {
+  if constexpr (STERADIAN_DISPATCH) {
+    if (isa == Isa::Avx2) return avx2::filmKernels;
+    if (isa == Isa::Avx512) return avx512::filmKernels;
+  }
+  return baseline::filmKernels;
+}
 
 std::uint64_t Film::bytesPerPixel(std::uint32_t replicates) {
   const std::uint64_t groups = replicates == 1 ? kSubSequences : replicates;
@@ -115,7 +69,8 @@ Film::Film(const FilmSettings& settings)
     : settings_(settings),
       crop_(checkedCrop(settings)),
       groups_(settings.replicates == 1 ? kSubSequences : settings.replicates),
-      drops_(std::make_unique<Drops>()) {
+      drops_(std::make_unique<Drops>()),
+      kernels_(&filmKernels(settings.isa)) {
   const std::uint64_t pixels =
       static_cast<std::uint64_t>(crop_.x1 - crop_.x0) * static_cast<std::uint64_t>(crop_.y1 - crop_.y0);
   const std::uint64_t bytes = pixels * bytesPerPixel(settings.replicates);
@@ -150,7 +105,7 @@ void Film::addSamples(int x, int y, std::uint32_t firstSample, std::span<const P
     widenSubSequences(pixelIndex(x, y), subSequenceShift(last));
   }
   while (!samples.empty()) {
-    const std::size_t n = std::min(samples.size(), kBatch);
+    const std::size_t n = std::min(samples.size(), SampleSums::kMaxCount);
     addBatch(x, y, firstSample, samples.first(n));
     samples = samples.subspan(n);
     firstSample += static_cast<std::uint32_t>(n);
@@ -172,8 +127,8 @@ void Film::widenSubSequences(std::size_t pixel, std::uint32_t shift) {
 }
 
 void Film::addBatch(int x, int y, std::uint32_t firstSample, std::span<const PixelSample> samples) {
-  const Batch batch(samples);
-  if (!batch.ordinary()) [[unlikely]] {
+  SampleSums batch;
+  if (!kernels_->sum(samples, batch)) [[unlikely]] {
     for (std::size_t i = 0; i < samples.size(); ++i) {
       addExtraordinary(x, y, firstSample + static_cast<std::uint32_t>(i), samples[i]);
     }
@@ -181,18 +136,13 @@ void Film::addBatch(int x, int y, std::uint32_t firstSample, std::span<const Pix
   }
   const std::size_t pixel = pixelIndex(x, y);
   Sums& sums = sums_[pixel];
-  for (std::size_t c = 0; c < 3; ++c) sums.radiance[c] += wideSum(batch.values[c]);
-  sums.depth += wideSum(batch.depth);
-  for (std::size_t c = 0; c < kNarrow; ++c) sums.narrow[c] += narrowSum(batch.values[c + 3]);
+  for (std::size_t c = 0; c < 3; ++c) sums.radiance[c] += batch.radiance[c];
+  sums.depth += batch.depth;
+  for (std::size_t c = 0; c < kNarrow; ++c) sums.narrow[c] += batch.narrow[c];
   sums.hits += batch.hits;
-
-  std::array<std::int64_t, kBatch> steps;
-  for (std::size_t i = 0; i < kBatch; ++i) {
-    steps[i] = steps64(luminance(Rgb{batch.values[0][i], batch.values[1][i], batch.values[2][i]}));
-  }
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const std::size_t group = pixel * groups_ + groupOf(pixel, firstSample + static_cast<std::uint32_t>(i));
-    groupLuminance_[group] += FixedPoint64::fromSteps(steps[i]);
+    groupLuminance_[group] += FixedPoint64::fromSteps(batch.luminance[i]);
     ++groupCount_[group];
   }
 }

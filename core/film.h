@@ -14,6 +14,7 @@
 
 #include "steradian/core/fixed_point.h"
 #include "steradian/core/image.h"
+#include "steradian/core/isa.h"
 #include "steradian/core/sample_ledger.h"
 #include "steradian/core/spectrum.h"
 #include "steradian/core/standard_error.h"
@@ -45,6 +46,7 @@ struct FilmSettings {
   /// belongs to the independently scrambled sequence i mod R; let R divide the number of samples.
   std::uint32_t replicates = 1;
   std::uint64_t memoryLimit = 0;  ///< bytes; 0: the machine's memory
+  Isa isa = bestIsa();            ///< must be usable
 };
 
 /// A sample that was not finite, by which the render can be repeated.
@@ -58,6 +60,8 @@ struct FilmImageOptions {
   bool features = true;  ///< Albedo.*, N.*, Z
   bool errors = true;    ///< StdErr.Y, Samples
 };
+
+struct FilmKernels;
 
 class Film {
  public:
@@ -138,6 +142,7 @@ class Film {
   std::vector<std::uint32_t> groupCount_;     // per pixel and group
   SampleLedger ledger_;
   std::unique_ptr<Drops> drops_;
+  const FilmKernels* kernels_;
 };
 
 }  // namespace steradian

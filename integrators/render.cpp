@@ -77,8 +77,12 @@ RenderResult render(const Scene& scene, const Integrator& integrator, const Rend
   const RenderSettings settings = completed(given, scene.description().defaults);
   check(given, settings);
   const std::uint32_t samplesPerPixel = *settings.samplesPerPixel;
-  RenderResult result{
-      Film({*settings.width, *settings.height, settings.crop, settings.replicates}), settings, {}, false};
+  const FilmSettings filmSettings{.width = *settings.width,
+                                  .height = *settings.height,
+                                  .crop = settings.crop,
+                                  .replicates = settings.replicates,
+                                  .isa = scene.geometry().isa()};
+  RenderResult result{Film(filmSettings), settings, {}, false};
   Film& film = result.film;
   RenderStatistics& statistics = result.statistics;
   const Camera camera(scene.description().camera, *settings.width, *settings.height);
