@@ -9,20 +9,6 @@
 
 namespace steradian {
 
-/// The 32 bits in opposite order.
-template <class U>
-constexpr U reverseBits(U x) {
-  if constexpr (std::is_same_v<U, std::uint32_t>) {
-    x = __builtin_bswap32(x);
-  } else {
-    x = (x >> 16) | (x << 16);
-    x = ((x >> 8) & U(0x00ff00ffu)) | ((x & U(0x00ff00ffu)) << 8);
-  }
-  x = ((x >> 4) & U(0x0f0f0f0fu)) | ((x & U(0x0f0f0f0fu)) << 4);
-  x = ((x >> 2) & U(0x33333333u)) | ((x & U(0x33333333u)) << 2);
-  return ((x >> 1) & U(0x55555555u)) | ((x & U(0x55555555u)) << 1);
-}
-
 /// Two at once: at width 1 they share the swaps of a 64-bit word.
 template <class U>
 std::array<U, 2> reverseBits(U a, U b) {

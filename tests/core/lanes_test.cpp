@@ -16,7 +16,7 @@ constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
 template <class F>
 class LanesOfWidth : public testing::Test {};
-using Widths = testing::Types<Lanes<4>, Lanes<8>>;
+using Widths = testing::Types<Lanes<4>, Lanes<8>, Lanes<16>>;
 TYPED_TEST_SUITE(LanesOfWidth, Widths);
 
 TYPED_TEST(LanesOfWidth, ArithmeticRoundsAsScalarsDo) {
@@ -116,6 +116,41 @@ TYPED_TEST(LanesOfWidth, MemoryRoundTripsAndGathers) {
   for (int i = 0; i < n; ++i) {
     EXPECT_EQ(lane(gather(values.data(), index), i), values[static_cast<std::size_t>(n - 1 - i)]);
     EXPECT_EQ(lane(gather(table.data(), index), i), static_cast<std::uint32_t>(100 + n - 1 - i));
+  }
+}
+
+TYPED_TEST(LanesOfWidth, RecordsAreGatheredAsByOneGatherForEachPlace) {
+  constexpr int n = widthOf<TypeParam>;
+  const auto table = numbers(256, -3.0f, 5.0f);
+  const std::vector<float> floats(table.begin(), table.end());
+  std::vector<std::uint32_t> integers;
+  for (const float x : floats) integers.push_back(bitsOf(x));
+  for (std::uint32_t round = 0; round < 20; ++round) {
+    UintOf<TypeParam> index;
+    for (int i = 0; i < n; ++i) index.set(i, (static_cast<std::uint32_t>(i) * 37u + round * 11u) % 253u);
+    const auto rows = gather4(floats.data(), index);
+    const auto words = gather4(integers.data(), index);
+    for (std::uint32_t k = 0; k < 4; ++k) {
+      for (int i = 0; i < n; ++i) {
+        ASSERT_EQ(rows[k][i], floats[index[i] + k]);
+        ASSERT_EQ(words[k][i], integers[index[i] + k]);
+      }
+    }
+  }
+}
+
+TYPED_TEST(LanesOfWidth, BitsAreReversedAsScalarsAre) {
+  constexpr int n = widthOf<TypeParam>;
+  std::uint32_t x = 1;
+  for (int round = 0; round < 100; ++round) {
+    UintOf<TypeParam> all;
+    for (int i = 0; i < n; ++i) all.set(i, x = x * 1664525u + 1013904223u);
+    const auto reversed = reverseBits(all);
+    for (int i = 0; i < n; ++i) {
+      ASSERT_EQ(reversed[i], reverseBits(all[i]));
+      ASSERT_EQ((reversed[i] >> 31) & 1u, all[i] & 1u);
+      ASSERT_EQ((reversed[i] >> 5) & 1u, (all[i] >> 26) & 1u);
+    }
   }
 }
 
