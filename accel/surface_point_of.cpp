@@ -27,7 +27,6 @@ struct LocalPoint {
   SurfacePoint<float> operator()(const QuadSet& set) const { return (*this)(quadAt(set, hit.primitive)); }
   SurfacePoint<float> operator()(const DiskSet& set) const { return (*this)(diskAt(set, hit.primitive)); }
   SurfacePoint<float> operator()(const BoxSet& set) const { return (*this)(boxAt(set, hit.primitive)); }
-  SurfacePoint<float> operator()(const UprightBox& box) const { return (*this)(boxOf(box)); }
   SurfacePoint<float> operator()(const TurnedBox& box) const { return (*this)(boxOf(box)); }
 
   SurfacePoint<float> operator()(const Sphere<float>& sphere) const {
@@ -37,7 +36,12 @@ struct LocalPoint {
   }
 
   SurfacePoint<float> operator()(const Quad<float>& quad) const {
-    return surfacePoint(shapePoint(quad, ray, shapeHit()), {clamp(hit.u, 0.0f, 1.0f), clamp(hit.v, 0.0f, 1.0f)});
+    ShapePoint<float> on = shapePoint(quad, ray, shapeHit());
+    if (AlignedQuad::of(quad)) {
+      const Vec3f opposite = quad.corner + quad.u + quad.v;
+      on.position = positionBetween(minimum(quad.corner, opposite), maximum(quad.corner, opposite), ray, hit.t);
+    }
+    return surfacePoint(on, {clamp(hit.u, 0.0f, 1.0f), clamp(hit.v, 0.0f, 1.0f)});
   }
 
   SurfacePoint<float> operator()(const Disk<float>& disk) const {
@@ -48,7 +52,9 @@ struct LocalPoint {
     return surfacePoint(on, {angle < 0.0f ? angle + 1.0f : angle, minimum(reach / disk.radius, 1.0f)});
   }
 
-  SurfacePoint<float> operator()(const Box<float>& box) const {
+  SurfacePoint<float> operator()(const AlignedQuad& quad) const { return (*this)(quad.quad()); }
+  template <class Axes>
+  SurfacePoint<float> operator()(const OrientedBox<float, Axes>& box) const {
     const BoxPlace<float> place = boxPlace(box, ray, hit.t);
     const ShapePoint<float> on = shapePoint(box, place);
     const Vec3f p = place.local, h = box.half;

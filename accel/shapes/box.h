@@ -6,12 +6,14 @@
 namespace steradian {
 
 /// The points center + x axes.x + y axes.y + z axes.z with |x| <= half.x and so on.
-template <class F>
-struct Box {
+template <class F, class Axes>
+struct OrientedBox {
   Vec3<F> center;
-  Vec3<F> half;   ///< half edge lengths, > 0; scene units
-  Frame<F> axes;  ///< orthonormal and right-handed
+  Vec3<F> half;  ///< half edge lengths, > 0; scene units
+  Axes axes;     ///< orthonormal and right-handed
 };
+template <class F>
+using Box = OrientedBox<F, Frame<F>>;
 
 /// Faces of a box are numbered 0 to 5: -x, +x, -y, +y, -z, +z of its own axes.
 inline constexpr int kBoxFaces = 6;
@@ -31,13 +33,23 @@ struct AxesAboutY {
   F cosine, sine;
 
   Vec3<F> toLocal(Vec3<F> v) const { return {cosine * v.x - sine * v.z, v.y, sine * v.x + cosine * v.z}; }
+  Vec3<F> toWorld(Vec3<F> v) const { return {cosine * v.x + sine * v.z, v.y, cosine * v.z - sine * v.x}; }
 };
+template <class F>
+using UprightBox = OrientedBox<F, AxesAboutY<F>>;
 
-/// Boxes as descriptions and clusters keep them.
-struct UprightBox {
-  Vec3f center, half;
-  AxesAboutY<float> axes;
-};
+/// Half the extent of a box along the world's axes.
+template <class F>
+Vec3<F> reachOf(const Frame<F>& axes, Vec3<F> half) {
+  return absolute(axes.x) * half.x + absolute(axes.y) * half.y + absolute(axes.z) * half.z;
+}
+template <class F>
+Vec3<F> reachOf(const AxesAboutY<F>& axes, Vec3<F> half) {
+  const F c = absolute(axes.cosine), s = absolute(axes.sine);
+  return {c * half.x + s * half.z, half.y, s * half.x + c * half.z};
+}
+
+/// A box in any orientation, as clusters keep it.
 struct TurnedBox {
   Vec3f center, half;
   float w, x, y, z;  ///< unit quaternion
@@ -64,16 +76,15 @@ struct BoxCrossing {
   }
 };
 
-/// For any type of axes with toLocal().
 template <class F, class Axes>
-BoxCrossing<F> crossBox(Vec3<F> center, Vec3<F> half, const Axes& axes, const Ray<F>& ray) {
-  const Vec3<F> o = axes.toLocal(ray.origin - center);
-  Vec3<F> d = axes.toLocal(ray.direction);
+BoxCrossing<F> crossBox(const OrientedBox<F, Axes>& box, const Ray<F>& ray) {
+  const Vec3<F> o = box.axes.toLocal(ray.origin - box.center);
+  Vec3<F> d = box.axes.toLocal(ray.direction);
   // A component of 0 would give 0 * infinity on a face's plane; this changes no other that matters.
   const F tiny(1e-20f);
-  d = {d.x + copySign(tiny, d.x), d.y + copySign(tiny, d.y), d.z + copySign(tiny, d.z)};
+  d = {d.x + tiny, d.y + tiny, d.z + tiny};
   const Vec3<F> r = {F(1.0f) / d.x, F(1.0f) / d.y, F(1.0f) / d.z};
-  const Vec3<F> side = {copySign(half.x, d.x), copySign(half.y, d.y), copySign(half.z, d.z)};
+  const Vec3<F> h = box.half, side = {copySign(h.x, d.x), copySign(h.y, d.y), copySign(h.z, d.z)};
   BoxCrossing<F> crossing;
   crossing.enter = {(-side.x - o.x) * r.x, (-side.y - o.y) * r.y, (-side.z - o.z) * r.z};
   crossing.leave = {(side.x - o.x) * r.x, (side.y - o.y) * r.y, (side.z - o.z) * r.z};
@@ -88,9 +99,9 @@ BoxCrossing<F> crossBox(Vec3<F> center, Vec3<F> half, const Axes& axes, const Ra
 
 /// Nearest hit beyond tMin; from inside, where the ray leaves. `u` is the number of the face that is hit, as a float; v
 /// is 0. (Clusters do without the face: the surface point finds it again.)
-template <class F>
-ShapeHit<F> intersect(const Box<F>& box, const Ray<F>& ray) {
-  const BoxCrossing<F> crossing = crossBox(box.center, box.half, box.axes, ray);
+template <class F, class Axes>
+ShapeHit<F> intersect(const OrientedBox<F, Axes>& box, const Ray<F>& ray) {
+  const BoxCrossing<F> crossing = crossBox(box, ray);
   return {crossing.valid, crossing.t, crossing.face(), F(0.0f)};
 }
 

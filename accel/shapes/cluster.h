@@ -9,6 +9,7 @@
 #include <iterator>
 #include <limits>
 
+#include "steradian/accel/shapes/aligned_quad.h"
 #include "steradian/accel/shapes/box.h"
 #include "steradian/accel/shapes/disk.h"
 #include "steradian/accel/shapes/quad.h"
@@ -70,6 +71,42 @@ struct QuadLeaf {
   }
 };
 
+struct AlignedQuadLeaf {
+  static constexpr int rows = 6;  ///< corner and edges of AlignedQuad, and which axes: 2 * that of the normal + 1 if v
+                                  ///< lies along the next one after it
+  using Shape = AlignedQuad;
+
+  static void put(ClusterRow* to, int i, const Shape& q) {
+    const int code = 2 * q.axis[2] + (q.axis[1] == (q.axis[2] + 1) % 3 ? 1 : 0);
+    const float values[rows] = {q.corner[0], q.corner[1], q.corner[2], q.edge[0], q.edge[1], static_cast<float>(code)};
+    for (int r = 0; r < rows; ++r) to[r][i] = values[r];
+  }
+  static Shape get(const ClusterRow* c, int i) {
+    const int code = static_cast<int>(c[5][i]), normal = code / 2, next = (normal + 1) % 3, last = (normal + 2) % 3;
+    const bool swapped = code % 2 != 0;
+    return {{swapped ? last : next, swapped ? next : last, normal},
+            {c[0][i], c[1][i], c[2][i]},
+            {c[3][i], c[4][i]},
+            {1.0f / c[3][i], 1.0f / c[4][i]}};
+  }
+  template <class F>
+  static ShapeHit<F> meet(const ClusterRow* c, int i, const Ray<F>& ray) {
+    const F code = load<F>(c[5] + i), one(1.0f);
+    const MaskOf<F> isX = code < F(2.0f), isY = (code >= F(2.0f)) & (code < F(4.0f));
+    const MaskOf<F> swapped = (code == F(1.0f)) | (code == F(3.0f)) | (code == F(5.0f));
+    // The components of a vector along u, v and the normal.
+    const auto along = [&](const Vec3<F>& v) {
+      const F next = select(isX, v.y, select(isY, v.z, v.x)), last = select(isX, v.z, select(isY, v.x, v.y));
+      return std::array<F, 3>{select(swapped, last, next), select(swapped, next, last),
+                              select(isX, v.x, select(isY, v.y, v.z))};
+    };
+    const std::array<F, 3> d = along(ray.direction);
+    return crossAlignedQuad<F>({load<F>(c[0] + i), load<F>(c[1] + i), load<F>(c[2] + i)},
+                               {one / load<F>(c[3] + i), one / load<F>(c[4] + i)}, along(ray.origin), {d[0], d[1]},
+                               reciprocalOfComponent(d[2]), ray.tMin, ray.tMax);
+  }
+};
+
 struct DiskLeaf {
   static constexpr int rows = 7;
   using Shape = Disk<float>;
@@ -113,7 +150,7 @@ struct TriangleLeaf {
 /// Boxes turned about y, or not at all: two floats of orientation, and half the work.
 struct UprightBoxLeaf {
   static constexpr int rows = 8;
-  using Shape = UprightBox;
+  using Shape = UprightBox<float>;
 
   static void put(ClusterRow* to, int i, const Shape& b) {
     const float values[rows] = {b.center.x, b.center.y, b.center.z,    b.half.x,
@@ -125,9 +162,10 @@ struct UprightBoxLeaf {
   }
   template <class F>
   static ShapeHit<F> meet(const ClusterRow* c, int i, const Ray<F>& ray) {
-    const AxesAboutY<F> axes{load<F>(c[6] + i), load<F>(c[7] + i)};
-    const BoxCrossing<F> crossing = crossBox<F>({load<F>(c[0] + i), load<F>(c[1] + i), load<F>(c[2] + i)},
-                                                {load<F>(c[3] + i), load<F>(c[4] + i), load<F>(c[5] + i)}, axes, ray);
+    const UprightBox<F> box{{load<F>(c[0] + i), load<F>(c[1] + i), load<F>(c[2] + i)},
+                            {load<F>(c[3] + i), load<F>(c[4] + i), load<F>(c[5] + i)},
+                            {load<F>(c[6] + i), load<F>(c[7] + i)}};
+    const BoxCrossing<F> crossing = crossBox(box, ray);
     return {crossing.valid, crossing.t, F(0.0f), F(0.0f)};
   }
 };
@@ -146,9 +184,10 @@ struct TurnedBoxLeaf {
   }
   template <class F>
   static ShapeHit<F> meet(const ClusterRow* c, int i, const Ray<F>& ray) {
-    const Frame<F> axes = axesOfQuaternion(load<F>(c[6] + i), load<F>(c[7] + i), load<F>(c[8] + i), load<F>(c[9] + i));
-    const BoxCrossing<F> crossing = crossBox<F>({load<F>(c[0] + i), load<F>(c[1] + i), load<F>(c[2] + i)},
-                                                {load<F>(c[3] + i), load<F>(c[4] + i), load<F>(c[5] + i)}, axes, ray);
+    const Box<F> box{{load<F>(c[0] + i), load<F>(c[1] + i), load<F>(c[2] + i)},
+                     {load<F>(c[3] + i), load<F>(c[4] + i), load<F>(c[5] + i)},
+                     axesOfQuaternion(load<F>(c[6] + i), load<F>(c[7] + i), load<F>(c[8] + i), load<F>(c[9] + i))};
+    const BoxCrossing<F> crossing = crossBox(box, ray);
     return {crossing.valid, crossing.t, F(0.0f), F(0.0f)};
   }
 };

@@ -19,10 +19,20 @@ struct SetOf<SphereLeaf> {
   static const SphereSet* of(const ShapeGeometry& g) { return std::get_if<SphereSet>(&g); }
   static Sphere<float> at(const SphereSet& set, std::size_t i) { return sphereAt(set, i); }
 };
+/// A set of quads is aligned as a whole or not at all.
+const QuadSet* quadSet(const ShapeGeometry& g, bool aligned) {
+  const QuadSet* set = std::get_if<QuadSet>(&g);
+  return set && areAligned(*set) == aligned ? set : nullptr;
+}
 template <>
 struct SetOf<QuadLeaf> {
-  static const QuadSet* of(const ShapeGeometry& g) { return std::get_if<QuadSet>(&g); }
+  static const QuadSet* of(const ShapeGeometry& g) { return quadSet(g, false); }
   static Quad<float> at(const QuadSet& set, std::size_t i) { return quadAt(set, i); }
+};
+template <>
+struct SetOf<AlignedQuadLeaf> {
+  static const QuadSet* of(const ShapeGeometry& g) { return quadSet(g, true); }
+  static AlignedQuad at(const QuadSet& set, std::size_t i) { return *AlignedQuad::of(quadAt(set, i)); }
 };
 template <>
 struct SetOf<DiskLeaf> {
@@ -38,16 +48,12 @@ struct SetOf<TriangleLeaf> {
 /// A set of boxes is upright as a whole or not at all.
 const BoxSet* boxSet(const ShapeGeometry& g, bool upright) {
   const BoxSet* set = std::get_if<BoxSet>(&g);
-  if (!set) return nullptr;
-  const auto isZero = [](float x) { return x == 0.0f; };
-  const bool all = std::all_of(set->rotationX.begin(), set->rotationX.end(), isZero) &&
-                   std::all_of(set->rotationZ.begin(), set->rotationZ.end(), isZero);
-  return all == upright ? set : nullptr;
+  return set && areUpright(*set) == upright ? set : nullptr;
 }
 template <>
 struct SetOf<UprightBoxLeaf> {
   static const BoxSet* of(const ShapeGeometry& g) { return boxSet(g, true); }
-  static UprightBox at(const BoxSet& set, std::size_t i) { return uprightBoxAt(set, i); }
+  static UprightBox<float> at(const BoxSet& set, std::size_t i) { return uprightBoxAt(set, i); }
 };
 template <>
 struct SetOf<TurnedBoxLeaf> {
@@ -125,6 +131,7 @@ ClusterSet::ClusterSet(const SceneDescription& scene, std::span<const Id> shapes
   std::size_t kind = 0;
   const auto close = [&] { clusters_.end[kind++] = static_cast<std::uint32_t>(bounds_.size()); };
   add<QuadLeaf>(scene, sorted), close();
+  add<AlignedQuadLeaf>(scene, sorted), close();
   add<UprightBoxLeaf>(scene, sorted), close();
   add<SphereLeaf>(scene, sorted), close();
   add<TriangleLeaf>(scene, sorted), close();
@@ -198,13 +205,28 @@ LeafShape ClusterSet::leafShape(std::uint32_t place) const {
   return shape;
 }
 
+void ClusterSet::cullByBounds(float padding) {
+  constexpr std::size_t perBlock = kClusterSize;
+  clusters_.bounds.resize((bounds_.size() + perBlock - 1) / perBlock);
+  for (std::size_t i = 0; i < bounds_.size(); ++i) {
+    Clusters::BoundsBlock& block = clusters_.bounds[i / perBlock];
+    const std::size_t place = i % perBlock;
+    block.lowX[place] = bounds_[i].low.x - padding;
+    block.lowY[place] = bounds_[i].low.y - padding;
+    block.lowZ[place] = bounds_[i].low.z - padding;
+    block.highX[place] = bounds_[i].high.x + padding;
+    block.highY[place] = bounds_[i].high.y + padding;
+    block.highZ[place] = bounds_[i].high.z + padding;
+  }
+}
+
 std::size_t ClusterSet::bytes() const {
   const std::size_t clusters =
       std::apply([](const auto&... kind) { return ((kind.capacity() * sizeof(kind[0])) + ... + 0u); }, clusters_.kinds);
   std::size_t places = 0;
   for (const Places& p : places_) places += p.places.capacity() * sizeof(p.places[0]);
   return clusters + places + clusters_.custom.capacity() * sizeof(Clusters::Custom) +
-         bounds_.capacity() * sizeof(Bounds3);
+         clusters_.bounds.capacity() * sizeof(Clusters::BoundsBlock) + bounds_.capacity() * sizeof(Bounds3);
 }
 
 }  // namespace steradian

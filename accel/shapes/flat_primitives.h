@@ -1,13 +1,15 @@
 #pragma once
-/// All primitives of a small scene in a row: several rays at once against each of them in turn, without a hierarchy.
+/// All primitives of a scene without a hierarchy in a row: several rays at once against each of them in turn, and the
+/// points that they hit.
 ///
-/// A ray per lane and one primitive in all of them wastes no lane, however the rays scatter: up to some sixty
-/// primitives nothing else is as fast. Kernels and surface points are those of single rays, so hits are the same to the
-/// bit.
+/// A ray per lane and one primitive in all of them wastes no lane, however the rays scatter: up to kMost primitives
+/// nothing else is as fast. Kernels and surface points are those of single rays, so hits are the same to the bit.
 #include <cstdint>
+#include <initializer_list>
 #include <span>
 #include <vector>
 
+#include "steradian/accel/shapes/aligned_quad.h"
 #include "steradian/accel/shapes/in_lanes.h"
 #include "steradian/accel/shapes/shape_point.h"
 #include "steradian/core/description.h"
@@ -24,15 +26,21 @@ class FlatPrimitives {
   /// The description must be valid and `holds` true.
   FlatPrimitives(const SceneDescription& scene, std::span<const Id> shapes);
 
+  /// So many primitives are met one after the other faster than by way of the bounds of their clusters.
+  static constexpr std::size_t kMost = 64;
+  bool few() const { return ids_.size() <= kMost; }
+
   /// Nearest hits; lanes of rays that are not active, or hit nothing, are not valid.
   template <class F>
   struct LaneHit {
     MaskOf<F> valid{false};
-    F t{kInfinity}, u{0.0f}, v{0.0f};
+    F t{kInfinity};
     UintOf<F> entry{0u};  ///< which primitive
   };
   template <class F>
   LaneHit<F> nearest(const Ray<F>& ray, MaskOf<F> active) const;
+  /// LaneHit::entry of a primitive.
+  std::uint32_t entryOf(Id shape, std::uint32_t primitive) const { return firstOf_[shape] + primitive; }
 
   /// Is anything hit between tMin and tMax?
   template <class F>
@@ -43,8 +51,7 @@ class FlatPrimitives {
   SurfacePoint<F> surfacePoint(const Ray<F>& ray, const LaneHit<F>& hit) const;
 
  private:
-  enum class Kind : std::uint32_t { Quad, Sphere, UprightBox, TurnedBox, Disk, Triangle };
-  static constexpr int kRows = 15;  ///< floats of the largest primitive
+  enum class Kind : std::uint32_t { Quad, AlignedQuad, Sphere, UprightBox, TurnedBox, Disk, Triangle };
 
   /// Entries that follow one another and are of one kind.
   struct Run {
@@ -52,130 +59,128 @@ class FlatPrimitives {
     std::uint32_t first, end;  ///< entries
     std::uint32_t index;       ///< of the first, in the vector of its kind
   };
+  /// What a surface point needs of an entry, in records to gather: the numbers of the shape, and behind those of quads
+  /// and triangles the error and the normal of all their points. Aligned quads have their lowest and highest corner.
+  static constexpr std::size_t kNumbers = 16;
+  struct Ids {
+    std::uint32_t pointKind;  ///< Kind; that of the kernel is the run's
+    std::uint32_t shape, primitive, material;
+  };
 
-  void add(const ShapeGeometry& geometry, std::size_t primitive);
-  void add(Kind kind, std::size_t index, std::span<const float> values);
+  void add(const ShapeGeometry& geometry, std::size_t primitive, bool aligned, bool upright);
+  template <class Shape>
+  void add(Kind kind, std::vector<Shape>& shapes, const Shape& shape);
+  void describe(Kind pointKind, std::initializer_list<Vec3f> numbers);
 
-  /// Puts the rays to each entry of a run: visit(entry, hit) says whether to go on.
+  /// Puts the rays to each entry of a run: visit(entry, hit). tMax may change from one entry to the next.
   template <class F, class Visit>
-  bool meetRun(const Run& run, const Ray<F>& ray, const Visit& visit) const;
+  void meetRun(const Run& run, const Ray<F>& ray, const RayByAxis<F>& byAxis, const Visit& visit) const;
 
-  /// Row `row` of the primitives that the lanes hit.
-  template <class F>
-  F valueOf(int row, UintOf<F> entry) const {
-    return gather(values_.data() + static_cast<std::size_t>(row) * kinds_.size(), entry);
-  }
-  template <class F>
-  Vec3<F> vectorOf(int row, UintOf<F> entry) const {
-    return {valueOf<F>(row, entry), valueOf<F>(row + 1, entry), valueOf<F>(row + 2, entry)};
-  }
   template <class F>
   ShapePoint<F> pointOf(Kind kind, const Ray<F>& ray, const LaneHit<F>& hit) const;
 
   std::vector<Run> runs_;  ///< in order of (shape, primitive): of equally near hits the first one wins
   std::vector<Quad<float>> quads_;
+  std::vector<AlignedQuad> alignedQuads_;
   std::vector<Sphere<float>> spheres_;
-  std::vector<UprightBox> uprightBoxes_;
+  std::vector<UprightBox<float>> uprightBoxes_;
   std::vector<Box<float>> turnedBoxes_;
   std::vector<Disk<float>> disks_;
   std::vector<Triangle<float>> triangles_;
-  std::vector<std::uint32_t> kinds_, shape_, primitive_, material_;  ///< per entry
   std::vector<Kind> present_;
-  std::vector<float> values_;  ///< row by row the numbers of each primitive
+  std::vector<float> numbers_;          ///< kNumbers per entry
+  std::vector<Ids> ids_;                ///< per entry
+  std::vector<std::uint32_t> firstOf_;  ///< per shape
 };
 
 template <class F, class Visit>
-bool FlatPrimitives::meetRun(const Run& run, const Ray<F>& ray, const Visit& visit) const {
+void FlatPrimitives::meetRun(const Run& run, const Ray<F>& ray, const RayByAxis<F>& byAxis, const Visit& visit) const {
   const auto meetAll = [&](const auto& shapes, const auto& meet) {
-    for (std::uint32_t i = run.first; i < run.end; ++i) {
-      if (!visit(i, meet(shapes[run.index + i - run.first]))) return false;
-    }
-    return true;
+    for (std::uint32_t i = run.first; i < run.end; ++i) visit(i, meet(shapes[run.index + i - run.first]));
   };
   const auto meetShape = [&](const auto& shape) { return intersect(inLanes<F>(shape), ray); };
-  const auto meetBox = [&](Vec3f center, Vec3f half, const auto& axes) {
-    const BoxCrossing<F> c = crossBox<F>(broadcast<F>(center), broadcast<F>(half), axes, ray);
+  const auto meetBox = [&](const auto& box) {
+    const BoxCrossing<F> c = crossBox(inLanes<F>(box), ray);
     return ShapeHit<F>{c.valid, c.t, F(0.0f), F(0.0f)};
   };
   switch (run.kind) {
     case Kind::Quad:
       return meetAll(quads_, meetShape);
+    case Kind::AlignedQuad:
+      return meetAll(alignedQuads_, [&](const AlignedQuad& q) { return intersect(q, byAxis, ray.tMin, ray.tMax); });
     case Kind::Sphere:
       return meetAll(spheres_, meetShape);
     case Kind::UprightBox:
-      return meetAll(uprightBoxes_, [&](const UprightBox& b) {
-        return meetBox(b.center, b.half, AxesAboutY<F>{F(b.axes.cosine), F(b.axes.sine)});
-      });
+      return meetAll(uprightBoxes_, meetBox);
     case Kind::TurnedBox:
-      return meetAll(turnedBoxes_, [&](const Box<float>& b) { return meetBox(b.center, b.half, inLanes<F>(b).axes); });
+      return meetAll(turnedBoxes_, meetBox);
     case Kind::Disk:
       return meetAll(disks_, meetShape);
     case Kind::Triangle:
       return meetAll(triangles_, meetShape);
   }
-  return true;
 }
 
 template <class F>
 FlatPrimitives::LaneHit<F> FlatPrimitives::nearest(const Ray<F>& ray, MaskOf<F> active) const {
-  LaneHit<F> best;
+  const RayByAxis<F> byAxis(ray);
+  Ray<F> shortened = ray;  // to the nearest hit so far
+  UintOf<F> nearest(0u);
   for (const Run& run : runs_) {
-    meetRun(run, ray, [&](std::uint32_t entry, const ShapeHit<F>& hit) {
-      const MaskOf<F> nearer = hit.valid & (hit.t < best.t);
-      best.t = select(nearer, hit.t, best.t);
-      best.u = select(nearer, hit.u, best.u);
-      best.v = select(nearer, hit.v, best.v);
-      best.entry = select(nearer, UintOf<F>(entry), best.entry);
-      best.valid = best.valid | nearer;
-      return true;
+    meetRun(run, shortened, byAxis, [&](std::uint32_t entry, const ShapeHit<F>& hit) {
+      shortened.tMax = select(hit.valid, hit.t, shortened.tMax);
+      nearest = select(hit.valid, UintOf<F>(entry), nearest);
     });
   }
-  best.valid = best.valid & active;
-  return best;
+  return {active & (shortened.tMax < ray.tMax), shortened.tMax, nearest};
 }
 
 template <class F>
 MaskOf<F> FlatPrimitives::any(const Ray<F>& ray, MaskOf<F> active) const {
+  const RayByAxis<F> byAxis(ray);
   MaskOf<F> hit(false);
   for (const Run& run : runs_) {
-    const bool some = meetRun(run, ray, [&](std::uint32_t, const ShapeHit<F>& found) {
-      hit = hit | found.valid;
-      return steradian::any(active & !hit);
-    });
-    if (!some) break;
+    meetRun(run, ray, byAxis, [&](std::uint32_t, const ShapeHit<F>& found) { hit = hit | found.valid; });
+    if (!steradian::any(active & !hit)) break;
   }
   return hit & active;
 }
 
 template <class F>
 ShapePoint<F> FlatPrimitives::pointOf(Kind kind, const Ray<F>& ray, const LaneHit<F>& hit) const {
-  const UintOf<F> e = hit.entry;
-  const ShapeHit<F> found{hit.valid, hit.t, hit.u, hit.v};
-  const auto vector = [&](int row) { return vectorOf<F>(row, e); };
-  switch (kind) {
-    case Kind::Quad:
-      return shapePoint(Quad<F>{vector(0), vector(3), vector(6)}, ray, found);
-    case Kind::Sphere:
-      return shapePoint(Sphere<F>{vector(0), valueOf<F>(3, e)}, ray, found);
-    case Kind::UprightBox:
-    case Kind::TurnedBox:
-      return shapePoint(Box<F>{vector(0), vector(3), {vector(6), vector(9), vector(12)}}, ray, found);
-    case Kind::Disk:
-      return shapePoint(Disk<F>{vector(0), vector(3), valueOf<F>(6, e)}, ray, found);
-    case Kind::Triangle:
-      return shapePoint(Triangle<F>{vector(0), vector(3), vector(6)}, ray, found);
+  const UintOf<F> record = hit.entry * UintOf<F>(static_cast<std::uint32_t>(kNumbers));
+  const auto numbers = [&](int i) { return gather4(numbers_.data() + i, record); };
+  const ShapeHit<F> found{hit.valid, hit.t, F(0.0f), F(0.0f)};
+  const auto a = numbers(0);
+  const Vec3<F> first{a[0], a[1], a[2]};
+  if (kind == Kind::Sphere) return shapePoint(Sphere<F>{first, a[3]}, ray, found);
+  const auto b = numbers(4);
+  const Vec3<F> second{a[3], b[0], b[1]};
+  if (kind == Kind::UprightBox) return shapePoint(UprightBox<F>{first, second, {b[2], b[3]}}, ray, found);
+  if (kind == Kind::Disk) return shapePoint(Disk<F>{first, second, b[2]}, ray, found);
+  const auto c = numbers(8);
+  const Vec3<F> third{b[2], b[3], c[0]}, fourth{c[1], c[2], c[3]};
+  if (kind == Kind::AlignedQuad) return {positionBetween(first, second, ray, hit.t), third, fourth};
+  const auto d = numbers(12);
+  const Vec3<F> fifth{d[0], d[1], d[2]};
+  if (kind == Kind::TurnedBox) return shapePoint(Box<F>{first, second, {third, fourth, fifth}}, ray, found);
+  // The kernel once more, for the parameters.
+  if (kind == Kind::Triangle) {
+    const Triangle<F> triangle{first, second, third};
+    return {positionOf(triangle, intersect(triangle, ray)), fourth, fifth};
   }
-  return {};
+  const Quad<F> quad{first, second, third};
+  return {positionOf(quad, intersect(quad, ray)), fourth, fifth};
 }
 
 template <class F>
 SurfacePoint<F> FlatPrimitives::surfacePoint(const Ray<F>& ray, const LaneHit<F>& hit) const {
+  const auto ids = gather4(&ids_.data()->pointKind, hit.entry * UintOf<F>(4u));
   SurfacePoint<F> point;
   point.valid = hit.valid;
   point.distance = hit.t;
-  const UintOf<F> kind = gather(kinds_.data(), hit.entry);
   for (const Kind present : present_) {
-    const MaskOf<F> mine = hit.valid & (kind == UintOf<F>(static_cast<std::uint32_t>(present)));
+    const MaskOf<F> mine = hit.valid & (ids[0] == UintOf<F>(static_cast<std::uint32_t>(present)));
     if (!steradian::any(mine)) continue;
     const ShapePoint<F> on = pointOf(present, ray, hit);
     point.position = select(mine, on.position, point.position);
@@ -183,9 +188,9 @@ SurfacePoint<F> FlatPrimitives::surfacePoint(const Ray<F>& ray, const LaneHit<F>
     point.geometricNormal = select(mine, on.normal, point.geometricNormal);
   }
   point.shadingNormal = point.geometricNormal;
-  point.shape = gather(shape_.data(), hit.entry);
-  point.primitive = gather(primitive_.data(), hit.entry);
-  point.material = gather(material_.data(), hit.entry);
+  point.shape = ids[1];
+  point.primitive = ids[2];
+  point.material = ids[3];
   return point;
 }
 

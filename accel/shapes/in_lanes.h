@@ -29,10 +29,20 @@ Triangle<F> inLanes(const Triangle<float>& t) {
   return {broadcast<F>(t.a), broadcast<F>(t.b), broadcast<F>(t.c)};
 }
 template <class F>
+Frame<F> inLanes(const Frame<float>& f) {
+  return {broadcast<F>(f.x), broadcast<F>(f.y), broadcast<F>(f.z)};
+}
+template <class F>
+AxesAboutY<F> inLanes(const AxesAboutY<float>& a) {
+  return {F(a.cosine), F(a.sine)};
+}
+template <class F>
 Box<F> inLanes(const Box<float>& b) {
-  return {broadcast<F>(b.center),
-          broadcast<F>(b.half),
-          {broadcast<F>(b.axes.x), broadcast<F>(b.axes.y), broadcast<F>(b.axes.z)}};
+  return {broadcast<F>(b.center), broadcast<F>(b.half), inLanes<F>(b.axes)};
+}
+template <class F>
+UprightBox<F> inLanes(const UprightBox<float>& b) {
+  return {broadcast<F>(b.center), broadcast<F>(b.half), inLanes<F>(b.axes)};
 }
 
 }  // namespace steradian

@@ -20,9 +20,18 @@ struct Clusters {
   template <class Leaf>
   using Of = std::vector<Cluster<Leaf>>;
 
-  std::tuple<Of<QuadLeaf>, Of<UprightBoxLeaf>, Of<SphereLeaf>, Of<TriangleLeaf>, Of<DiskLeaf>, Of<TurnedBoxLeaf>> kinds;
+  std::tuple<Of<QuadLeaf>, Of<AlignedQuadLeaf>, Of<UprightBoxLeaf>, Of<SphereLeaf>, Of<TriangleLeaf>, Of<DiskLeaf>,
+             Of<TurnedBoxLeaf>>
+      kinds;
   std::vector<Custom> custom;
-  std::array<std::uint32_t, 7> end{};  ///< one past the last cluster of each kind, in order; custom shapes last
+  std::array<std::uint32_t, 8> end{};  ///< one past the last cluster of each kind, in order; custom shapes last
+
+  /// Bounds of 16 clusters side by side.
+  struct alignas(64) BoundsBlock {
+    float lowX[kClusterSize], lowY[kClusterSize], lowZ[kClusterSize];
+    float highX[kClusterSize], highY[kClusterSize], highZ[kClusterSize];
+  };
+  std::vector<BoundsBlock> bounds;  ///< of all clusters, for queries of all that leave out what a ray misses; or none
 
   /// Calls visit(cluster) for the cluster of this number; false if it is a custom shape.
   template <class Visit>

@@ -1,5 +1,6 @@
 #include "steradian/accel/shapes/shape_at.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace steradian {
@@ -43,13 +44,26 @@ bool isUpright(const BoxSet& set, std::size_t i) {
   return set.rotationW.empty() || (set.rotationX[i] == 0.0f && set.rotationZ[i] == 0.0f);
 }
 
-UprightBox uprightBoxAt(const BoxSet& set, std::size_t i) {
+bool areUpright(const BoxSet& set) {
+  const auto isZero = [](float x) { return x == 0.0f; };
+  return std::all_of(set.rotationX.begin(), set.rotationX.end(), isZero) &&
+         std::all_of(set.rotationZ.begin(), set.rotationZ.end(), isZero);
+}
+
+bool areAligned(const QuadSet& set) {
+  for (std::size_t i = 0; i < set.cornerX.size(); ++i) {
+    if (!AlignedQuad::of(quadAt(set, i))) return false;
+  }
+  return true;
+}
+
+UprightBox<float> uprightBoxAt(const BoxSet& set, std::size_t i) {
   const TurnedBox box = turnedBoxAt(set, i);
   const Frame<float> axes = axesOfQuaternion(box.w, 0.0f, box.y, 0.0f);
   return {box.center, box.half, {axes.x.x, axes.z.x}};
 }
 
-Box<float> boxOf(const UprightBox& box) {
+Box<float> boxOf(const UprightBox<float>& box) {
   const float c = box.axes.cosine, s = box.axes.sine;
   return {box.center, box.half, {{c, 0.0f, -s}, {0.0f, 1.0f, 0.0f}, {s, 0.0f, c}}};
 }
@@ -74,6 +88,8 @@ Bounds3 boundsOf(const Quad<float>& quad) {
   return {bounds.low - rim, bounds.high + rim};
 }
 
+Bounds3 boundsOf(const AlignedQuad& quad) { return boundsOf(quad.quad()); }
+
 Bounds3 boundsOf(const Disk<float>& disk) {
   const auto reach = [&](float n) { return disk.radius * safeSqrt(1.0f - n * n + 0x1p-20f); };
   const Vec3f r{reach(disk.normal.x), reach(disk.normal.y), reach(disk.normal.z)};
@@ -89,13 +105,12 @@ Bounds3 boundsOf(const Triangle<float>& triangle) {
 }
 
 Bounds3 boundsOf(const Box<float>& box) {
-  const Vec3f reach =
-      absolute(box.axes.x) * box.half.x + absolute(box.axes.y) * box.half.y + absolute(box.axes.z) * box.half.z;
+  const Vec3f reach = reachOf(box.axes, box.half);
   const Vec3f rim = reach * 0x1p-20f;
   return {box.center - reach - rim, box.center + reach + rim};
 }
 
-Bounds3 boundsOf(const UprightBox& box) { return boundsOf(boxOf(box)); }
+Bounds3 boundsOf(const UprightBox<float>& box) { return boundsOf(boxOf(box)); }
 Bounds3 boundsOf(const TurnedBox& box) { return boundsOf(boxOf(box)); }
 
 Bounds3 boundsOf(const ShapeGeometry& geometry, std::size_t i) {

@@ -1,5 +1,6 @@
 #pragma once
 /// One primitive of a description's set, and its bounds.
+#include "steradian/accel/shapes/aligned_quad.h"
 #include "steradian/accel/shapes/box.h"
 #include "steradian/accel/shapes/disk.h"
 #include "steradian/accel/shapes/quad.h"
@@ -19,18 +20,22 @@ TurnedBox turnedBoxAt(const BoxSet& set, std::size_t i);  ///< its quaternion is
 /// Does the i-th box turn about y alone, or not at all? Such boxes go through UprightBox everywhere, so that every
 /// query computes the same axes.
 bool isUpright(const BoxSet& set, std::size_t i);
-UprightBox uprightBoxAt(const BoxSet& set, std::size_t i);  ///< needs isUpright
+bool areUpright(const BoxSet& set);                                ///< all of them
+UprightBox<float> uprightBoxAt(const BoxSet& set, std::size_t i);  ///< needs isUpright
+/// Whether all quads are AlignedQuads. Only such sets go through that kernel, so that every query computes the same.
+bool areAligned(const QuadSet& set);
 /// With the axes that the queries use.
-Box<float> boxOf(const UprightBox& box);
+Box<float> boxOf(const UprightBox<float>& box);
 Box<float> boxOf(const TurnedBox& box);
 Box<float> boxAt(const BoxSet& set, std::size_t i);
 
 Bounds3 boundsOf(const Sphere<float>& sphere);
 Bounds3 boundsOf(const Quad<float>& quad);
+Bounds3 boundsOf(const AlignedQuad& quad);
 Bounds3 boundsOf(const Disk<float>& disk);
 Bounds3 boundsOf(const Triangle<float>& triangle);
 Bounds3 boundsOf(const Box<float>& box);
-Bounds3 boundsOf(const UprightBox& box);
+Bounds3 boundsOf(const UprightBox<float>& box);
 Bounds3 boundsOf(const TurnedBox& box);
 
 /// Bounds of one primitive of any kind.

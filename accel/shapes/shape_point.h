@@ -4,6 +4,7 @@
 /// `shapePoint(shape, ray, hit)` is a free function per shape, generic over lanes; `hit` is what its kernel returned
 /// for this ray. The error covers the position's rounding and that of the next query from there, so that rays spawned
 /// by core/ray_offset.h do not meet the primitive they leave.
+#include "steradian/accel/shapes/aligned_quad.h"
 #include "steradian/accel/shapes/box.h"
 #include "steradian/accel/shapes/disk.h"
 #include "steradian/accel/shapes/quad.h"
@@ -33,11 +34,22 @@ ShapePoint<F> shapePoint(const Sphere<F>& sphere, const Ray<F>& ray, const Shape
 }
 
 template <class F>
-ShapePoint<F> shapePoint(const Quad<F>& quad, const Ray<F>&, const ShapeHit<F>& hit) {
+Vec3<F> positionOf(const Quad<F>& quad, const ShapeHit<F>& hit) {
   const F s = clamp(hit.u, F(0.0f), F(1.0f)), t = clamp(hit.v, F(0.0f), F(1.0f));
-  return {quad.corner + quad.u * s + quad.v * t,
+  return quad.corner + quad.u * s + quad.v * t;
+}
+template <class F>
+ShapePoint<F> shapePoint(const Quad<F>& quad, const Ray<F>&, const ShapeHit<F>& hit) {
+  return {positionOf(quad, hit),
           absolute(quad.corner) * F(kPlaceError) + (absolute(quad.u) + absolute(quad.v)) * F(kReachError),
           normalize(cross(quad.u, quad.v))};
+}
+
+/// Of an AlignedQuad from `low` to `high`: exactly in its plane.
+template <class F>
+Vec3<F> positionBetween(Vec3<F> low, Vec3<F> high, const Ray<F>& ray, F t) {
+  const Vec3<F> p = ray.at(t);
+  return {clamp(p.x, low.x, high.x), clamp(p.y, low.y, high.y), clamp(p.z, low.z, high.z)};
 }
 
 template <class F>
@@ -48,12 +60,17 @@ ShapePoint<F> shapePoint(const Disk<F>& disk, const Ray<F>& ray, const ShapeHit<
   return {disk.center + offset, absolute(disk.center) * F(kPlaceError) + Vec3<F>{reach, reach, reach}, disk.normal};
 }
 
-/// The normal is that of the plane; u and v of the hit are barycentric.
+/// u and v of the hit are barycentric.
+template <class F>
+Vec3<F> positionOf(const Triangle<F>& t, const ShapeHit<F>& hit) {
+  const F u = clamp(hit.u, F(0.0f), F(1.0f)), v = clamp(hit.v, F(0.0f), F(1.0f) - u), w = F(1.0f) - u - v;
+  return t.a * w + t.b * u + t.c * v;
+}
+/// The normal is that of the plane.
 template <class F>
 ShapePoint<F> shapePoint(const Triangle<F>& t, const Ray<F>&, const ShapeHit<F>& hit) {
-  const F u = clamp(hit.u, F(0.0f), F(1.0f)), v = clamp(hit.v, F(0.0f), F(1.0f) - u), w = F(1.0f) - u - v;
   const Vec3<F> ab = t.b - t.a, ac = t.c - t.a;
-  return {t.a * w + t.b * u + t.c * v,
+  return {positionOf(t, hit),
           (absolute(t.a) + absolute(t.b) + absolute(t.c)) * F(0.5f * kPlaceError) +
               (absolute(ab) + absolute(ac)) * F(kReachError),
           normalize(cross(ab, ac))};
@@ -65,13 +82,13 @@ struct BoxPlace {
   Vec3<F> local;  ///< relative to the centre, along the axes
   F face;         ///< 0 to 5 (see box.h)
 };
-template <class F>
-BoxPlace<F> boxPlace(const Box<F>& box, const Ray<F>& ray, F t) {
+template <class F, class Axes>
+BoxPlace<F> boxPlace(const OrientedBox<F, Axes>& box, const Ray<F>& ray, F t) {
   // The query's kernel once more. In an instance this ray is not Embree's to the last bit: whether it enters or leaves
   // is decided half-way.
   Ray<F> again = ray;
   again.tMin = maximum(ray.tMin, F(0.5f) * t);
-  const F face = crossBox(box.center, box.half, box.axes, again).face();
+  const F face = crossBox(box, again).face();
   const Vec3<F> h = box.half;
   const Vec3<F> p = box.axes.toLocal(ray.origin - box.center) + box.axes.toLocal(ray.direction) * t;
   return {{clamp(p.x, -h.x, h.x), clamp(p.y, -h.y, h.y), clamp(p.z, -h.z, h.z)}, face};
@@ -82,20 +99,19 @@ F boxSide(F face) {
   return F(2.0f) * (face - F(2.0f) * floorOf(F(0.5f) * face)) - F(1.0f);
 }
 
-template <class F>
-ShapePoint<F> shapePoint(const Box<F>& box, const BoxPlace<F>& place) {
-  const F side = boxSide(place.face);
+template <class F, class Axes>
+ShapePoint<F> shapePoint(const OrientedBox<F, Axes>& box, const BoxPlace<F>& place) {
+  const F side = boxSide(place.face), zero(0.0f);
   const MaskOf<F> isX = place.face < F(2.0f), isZ = place.face >= F(4.0f), isY = !(isX | isZ);
   const Vec3<F> h = box.half;
   const Vec3<F> local{select(isX, side * h.x, place.local.x), select(isY, side * h.y, place.local.y),
                       select(isZ, side * h.z, place.local.z)};
-  const Vec3<F> axis = select(isX, box.axes.x, select(isY, box.axes.y, box.axes.z));
-  const Vec3<F> reach = absolute(box.axes.x) * h.x + absolute(box.axes.y) * h.y + absolute(box.axes.z) * h.z;
-  return {box.center + box.axes.toWorld(local), absolute(box.center) * F(kPlaceError) + reach * F(kReachError),
-          normalize(axis * side)};
+  const Vec3<F> outward{select(isX, side, zero), select(isY, side, zero), select(isZ, side, zero)};
+  return {box.center + box.axes.toWorld(local),
+          absolute(box.center) * F(kPlaceError) + reachOf(box.axes, h) * F(kReachError), box.axes.toWorld(outward)};
 }
-template <class F>
-ShapePoint<F> shapePoint(const Box<F>& box, const Ray<F>& ray, const ShapeHit<F>& hit) {
+template <class F, class Axes>
+ShapePoint<F> shapePoint(const OrientedBox<F, Axes>& box, const Ray<F>& ray, const ShapeHit<F>& hit) {
   return shapePoint(box, boxPlace(box, ray, hit.t));
 }
 

@@ -40,7 +40,7 @@ Vec3f halfEdges(Numbers& n) {
   const float x = n.in(0.5f, 1.0f), y = n.in(0.5f, 1.0f), z = n.in(0.5f, 1.0f);
   return Vec3f{x, y, z} * (0.5f * kSize);
 }
-void make(Numbers& n, UprightBox& b) {
+void make(Numbers& n, UprightBox<float>& b) {
   const Vec3f center = n.point(), half = halfEdges(n);
   const SinCos<float> turn = sinCosTwoPi(n.in(0.0f, 1.0f));
   b = {center, half, {turn.cos, turn.sin}};

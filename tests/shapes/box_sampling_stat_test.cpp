@@ -14,7 +14,7 @@ Vec3f placeAt(Vec3f units) { return kBox.center + kBox.axes.toWorld(units * kBox
 TEST(BoxSamplingStat, Directions) {
   for (const Vec3f units : {Vec3f{1.1f, 0.2f, -0.3f}, Vec3f{3.0f, -4.0f, 0.1f}, Vec3f{1.2f, 1.1f, 1.1f},
                             Vec3f{-10.0f, 20.0f, -7.0f}, Vec3f{0.3f, -0.4f, 0.9f}}) {
-    EXPECT_TRUE(proveTarget(kBox, placeAt(units))) << units.x << ", " << units.y << ", " << units.z;
+    EXPECT_TRUE(proveTarget<Box>(kBox, placeAt(units))) << units.x << ", " << units.y << ", " << units.z;
   }
 }
 

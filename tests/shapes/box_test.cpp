@@ -124,7 +124,7 @@ TEST(Box, AxesAboutYAreTheQuaternions) {
     const Box<float> box{random.point(1.0f), {0.5f, 0.6f, 0.7f}, axesOfQuaternion(w, 0.0f, y, 0.0f)};
     const AxesAboutY<float> axes{box.axes.x.x, box.axes.z.x};
     const Ray<float> ray = random.rayTowards(box.center, 0.7f, 3.0f);
-    const BoxCrossing<float> crossing = crossBox(box.center, box.half, axes, ray);
+    const BoxCrossing<float> crossing = crossBox(UprightBox<float>{box.center, box.half, axes}, ray);
     const ShapeHit<float> hit{crossing.valid, crossing.t, crossing.face(), 0.0f};
     ASSERT_NO_FATAL_FAILURE(expectLane(hit, 0, intersect(box, ray)));
   }

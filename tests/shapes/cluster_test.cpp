@@ -58,11 +58,18 @@ void expectClusterIsLoop(unsigned seed, int count, const Make& make) {
 
 Sphere<float> randomSphere(Random& random) { return {random.point(1.5f), random.uniform(0.1f, 0.5f)}; }
 Quad<float> randomQuad(Random& random) { return {random.point(1.5f), random.direction(), random.direction()}; }
+AlignedQuad randomAlignedQuad(Random& random) {
+  const auto axis = [](int i) { return Vec3f{i == 0 ? 1.0f : 0.0f, i == 1 ? 1.0f : 0.0f, i == 2 ? 1.0f : 0.0f}; };
+  const int u = static_cast<int>(random.uniform(0.0f, 2.99f)), v = (u + (random.uniform(0, 1) < 0.5f ? 1 : 2)) % 3;
+  return *AlignedQuad::of(
+      {random.point(1.5f), axis(u) * random.uniform(0.5f, 1.5f), axis(v) * -random.uniform(0.5f, 1.5f)});
+}
 
 TEST(Cluster, IsALoopOverItsPrimitives) {
   for (const int count : {1, 3, 8, 9, 16}) {
     expectClusterIsLoop<SphereLeaf>(1, count, randomSphere);
     expectClusterIsLoop<QuadLeaf>(2, count, randomQuad);
+    expectClusterIsLoop<AlignedQuadLeaf>(3, count, randomAlignedQuad);
   }
 }
 
@@ -231,6 +238,40 @@ TEST(ClusterSet, OneClusterAtATimeIsAllAtOnce) {
       for (std::uint32_t c = 0; c < set.size(); ++c) ASSERT_EQ(same.any(c, ray), set.any(c, ray));
     }
   }
+}
+
+TEST(ClusterSet, CullingByBoundsChangesNoHit) {
+  Random random(11);
+  SceneDescription scene;
+  SphereSet balls;
+  balls.add({0.0f, -100.0f, 0.0f}, 99.0f);  // a cluster of its own
+  for (int i = 0; i < 1500; ++i) balls.add(random.point(4.0f), random.uniform(0.02f, 0.1f));
+  BoxSet boxes;
+  for (int i = 0; i < 200; ++i) boxes.addRotatedY(random.point(4.0f), {0.1f, 0.2f, 0.05f}, random.uniform(0.0f, 90.0f));
+  QuadSet walls;
+  for (int i = 0; i < 40; ++i) walls.add(random.point(4.0f), {0.3f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.4f});
+  const std::vector<Id> shapes{scene.addShape("balls", balls, kNone), scene.addShape("boxes", boxes, kNone),
+                               scene.addShape("walls", walls, kNone)};
+  const ClusterSet all(scene, shapes);
+  ClusterSet culled(scene, shapes);
+  culled.cullByBounds(1e-5f);
+  EXPECT_GT(culled.bytes(), all.bytes());
+  int hits = 0;
+  for (int i = 0; i < 20000; ++i) {
+    Ray<float> ray = random.rayTowards({0.0f, 0.0f, 0.0f}, 4.0f, 6.0f);
+    if (i % 3 == 0) ray.tMax = random.uniform(0.1f, 8.0f);
+    if (i % 5 == 0) ray.direction.y = 0.0f;
+    LeafHit expected, hit;
+    all.nearest(ray, kNone, expected);
+    culled.nearest(ray, kNone, hit);
+    ASSERT_EQ(hit.t, expected.t);
+    ASSERT_EQ(hit.shape, expected.shape);
+    ASSERT_EQ(hit.primitive, expected.primitive);
+    ASSERT_EQ(hit.u, expected.u);
+    ASSERT_EQ(culled.any(ray), all.any(ray));
+    hits += hit.found();
+  }
+  EXPECT_GT(hits, 5000);
 }
 
 }  // namespace

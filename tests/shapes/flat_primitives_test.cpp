@@ -28,13 +28,15 @@ SceneDescription mixedScene() {
   Numbers number;
   SceneDescription scene;
   for (int round = 0; round < 2; ++round) {
-    QuadSet quads;
+    QuadSet quads, walls;
     SphereSet spheres;
     BoxSet upright, turned;
     DiskSet disks;
     TriangleMesh mesh;
     for (int i = 0; i < 3; ++i) {
       quads.add(number.point(2.0f), number.point(1.0f), number.point(1.0f));
+      const Vec3f edges = number.point(2.0f);
+      walls.add(number.point(2.0f), {0.0f, edges.x, 0.0f}, {i == 0 ? edges.y : 0.0f, 0.0f, i == 0 ? 0.0f : edges.z});
       spheres.add(number.point(2.0f), number(0.2f, 0.8f));
       upright.addRotatedY(number.point(2.0f), {0.3f, 0.5f, 0.2f}, number(0.0f, 90.0f));
       turned.addRotatedY(number.point(2.0f), {0.4f, 0.2f, 0.3f}, 30.0f);
@@ -46,6 +48,12 @@ SceneDescription mixedScene() {
       }
     }
     scene.addShape("quads", quads, static_cast<Id>(round));
+    scene.addShape("walls", walls, 6);
+    if (round == 1) {
+      // Not aligned as a whole, but one of them by itself.
+      quads.add({0.5f, 0.0f, -1.0f}, {0.0f, 0.0f, 2.0f}, {0.0f, 1.0f, 0.0f});
+      scene.addShape("one wall", quads, 7);
+    }
     scene.addShape("spheres", spheres, 1);
     scene.addShape("upright", upright, 2);
     scene.addShape("turned", turned, 3);
