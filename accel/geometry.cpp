@@ -22,8 +22,11 @@ struct Hierarchy {
   embree::Scene scene;
 };
 
-/// Embree's non-robust box test and the kernels differ in rounding; with bounds this much wider it passes every
-/// cluster that may hold a hit, also those exactly as far as the nearest one.
+/// So many clusters are met faster than their bounds.
+constexpr std::uint32_t kMeetAll = 4;
+
+/// Embree's non-robust box test, ours of clusters and the kernels differ in rounding; with bounds this much wider it
+/// passes every cluster that may hold a hit, also those exactly as far as the nearest one.
 float paddingFor(float magnitude) { return 4.0f * 0x1p-23f * magnitude; }
 
 Vec3f cameraPosition(const CameraDescription& camera) {
@@ -95,6 +98,12 @@ struct Geometry::Implementation {
   void gather(Hierarchy& hierarchy, std::span<const Id> shapes, bool clusterMeshes);
   SurfacePoint<float> localPoint(const Ray<float>& ray, const Hit<float>& hit) const;
   void placeInstances();
+  /// Whatever rays start from: the camera, and the surfaces.
+  Bounds3 origins() const {
+    Bounds3 all = bounds;
+    all.include(cameraPosition(description->camera));
+    return all;
+  }
   void buildHierarchies();
   void build(Hierarchy& hierarchy, float padding);
 };
@@ -156,9 +165,7 @@ void Geometry::Implementation::build(Hierarchy& hierarchy, float padding) {
 }
 
 void Geometry::Implementation::buildHierarchies() {
-  // Whatever rays start from: the camera, and the surfaces.
-  Bounds3 origins = bounds;
-  origins.include(cameraPosition(description->camera));
+  const Bounds3 origins = this->origins();
   std::vector<float> groupMagnitudes(groups.size(), 0.0f);
   std::size_t flatIndex = 0;
   for (const InstanceSet& set : description->instances) {
@@ -216,8 +223,9 @@ Geometry::Geometry(std::shared_ptr<const SceneDescription> scene, GeometrySettin
   if (!direct) {
     self.device = std::make_unique<embree::Device>();
     self.buildHierarchies();
-  } else if (FlatPrimitives::holds(description, placed)) {
-    self.flat.emplace(description, placed);
+  } else {
+    if (self.world.clusters.size() > kMeetAll) self.world.clusters.cullByBounds(paddingFor(self.origins().magnitude()));
+    if (FlatPrimitives::holds(description, placed)) self.flat.emplace(description, placed);
   }
   self.world.clusters.dropBounds();
   self.statistics.bytes = self.world.clusters.bytes() + (self.device ? self.device->bytes() : 0) +

@@ -1,5 +1,7 @@
 #pragma once
 /// What the wide path integrator asks of a scene, for several rays at once.
+#include <array>
+#include <bit>
 #include <cstdint>
 #include <vector>
 
@@ -9,8 +11,8 @@
 
 namespace steradian {
 
-/// Answers are those of Scene, lane by lane and to the bit. Small scenes are tested with all lanes at once, others ray
-/// by ray: there the hierarchy takes the time.
+/// Answers are those of Scene, lane by lane and to the bit. The few primitives of small scenes are met with all lanes
+/// at once; larger scenes are asked ray by ray, and without a hierarchy find the points hit with all lanes.
 class WideScene {
  public:
   /// The scene must outlive this.
@@ -50,28 +52,58 @@ class WideScene {
   bool hasSky_;
 };
 
+namespace detail {
+/// Rays of lanes, to be asked for one by one.
+template <class F>
+class SingleRays {
+ public:
+  explicit SingleRays(const Ray<F>& ray) {
+    const std::array<F, kRows> rows{ray.origin.x,    ray.origin.y, ray.origin.z, ray.direction.x, ray.direction.y,
+                                    ray.direction.z, ray.tMax,     ray.time,     ray.tMin};
+    for (std::size_t r = 0; r < kRows; ++r) store(rows_[r], rows[r]);
+  }
+  Ray<float> operator[](int i) const {
+    const auto value = [&](int row) { return rows_[row][i]; };
+    return {{value(0), value(1), value(2)}, {value(3), value(4), value(5)}, value(6), value(7), value(8)};
+  }
+
+ private:
+  static constexpr std::size_t kRows = 9;
+  float rows_[kRows][widthOf<F>];
+};
+}  // namespace detail
+
 template <class F>
 SurfacePoint<F> WideScene::intersect(const Ray<F>& ray, MaskOf<F> active) const {
   const Geometry& geometry = scene_->geometry();
   // Textures need parameters of the surface, which flat primitives leave out.
-  if (flat_ != nullptr && !materials_.textured()) {
-    return flat_->surfacePoint(ray, flat_->nearest(ray, active & isUsable(ray)));
-  }
+  const bool flat = flat_ != nullptr && !materials_.textured();
+  if (flat && flat_->few()) return flat_->surfacePoint(ray, flat_->nearest(ray, active & isUsable(ray)));
+  const detail::SingleRays<F> rays(ray);
   SurfacePoint<F> points;
-  for (int i = 0; i < widthOf<F>; ++i) {
-    if (!lane(active, i)) continue;
-    const Ray<float> one = lane(ray, i);
-    setLane(points, i, geometry.surfacePoint(one, geometry.intersect(one)));
+  FlatPrimitives::LaneHit<F> hits;
+  for (std::uint32_t left = laneBits(active); left != 0; left &= left - 1) {
+    const int i = std::countr_zero(left);
+    const Hit<float> hit = geometry.intersect(rays[i]);
+    if (!flat) {
+      setLane(points, i, geometry.surfacePoint(rays[i], hit));
+    } else if (hit.valid) {
+      setLane(hits.valid, i, true);
+      setLane(hits.t, i, hit.t);
+      setLane(hits.entry, i, flat_->entryOf(hit.shape, hit.primitive));
+    }
   }
-  return points;
+  return flat ? flat_->surfacePoint(ray, hits) : points;
 }
 
 template <class F>
 MaskOf<F> WideScene::occluded(const Ray<F>& ray, MaskOf<F> active) const {
-  if (flat_ != nullptr) return flat_->any(ray, active & isUsable(ray));
+  if (flat_ != nullptr && flat_->few()) return flat_->any(ray, active & isUsable(ray));
+  const detail::SingleRays<F> rays(ray);
   MaskOf<F> hit(false);
-  for (int i = 0; i < widthOf<F>; ++i) {
-    if (lane(active, i)) setLane(hit, i, scene_->geometry().occluded(lane(ray, i)));
+  for (std::uint32_t left = laneBits(active); left != 0; left &= left - 1) {
+    const int i = std::countr_zero(left);
+    if (scene_->geometry().occluded(rays[i])) setLane(hit, i, true);
   }
   return hit;
 }
