@@ -25,6 +25,9 @@ class CameraSamples {
       : job_(job), tile_(tile), first_(pass.first), perPixel_(pass.count()) {
     const auto pixels = static_cast<std::uint32_t>((tile.x1 - tile.x0) * (tile.y1 - tile.y0));
     count_ = pixels * perPixel_;
+    column_ = tile.x0;
+    row_ = tile.y0;
+    pixelKey_ = RenderJob::pixelKey(column_, row_);
   }
 
   /// How many there are; they are numbered from 0.
@@ -45,26 +48,33 @@ class CameraSamples {
   }
 
  private:
-  /// Camera rays of the next samples, one per lane.
+  /// Camera rays of the next samples, one per lane. (Those beyond the last are never taken.)
   void prepare() {
     F x, y;
-    const auto columns = static_cast<std::uint32_t>(tile_.x1 - tile_.x0);
     for (int i = 0; i < width; ++i) {
-      const std::uint32_t number = std::min(next_ + static_cast<std::uint32_t>(i), count_ - 1);
-      const std::uint32_t place = number / perPixel_;
-      const int column = tile_.x0 + static_cast<int>(place % columns),
-                row = tile_.y0 + static_cast<int>(place / columns);
-      setLane(x, i, static_cast<float>(column));
-      setLane(y, i, static_cast<float>(row));
-      setLane(pixel_, i, job_.pixelKey(column, row));
-      setLane(sample_, i, first_ + number % perPixel_);
+      setLane(x, i, static_cast<float>(column_));
+      setLane(y, i, static_cast<float>(row_));
+      setLane(pixel_, i, pixelKey_);
+      setLane(sample_, i, first_ + inPixel_);
+      if (++inPixel_ == perPixel_) nextPixel();
     }
     rays_ = job_.cameraRay(x, y, Sampler<F>(job_.samplerSettings, pixel_, sample_));
+  }
+  void nextPixel() {
+    inPixel_ = 0;
+    if (++column_ == tile_.x1) {
+      column_ = tile_.x0;
+      if (++row_ == tile_.y1) --row_;
+    }
+    pixelKey_ = RenderJob::pixelKey(column_, row_);
   }
 
   const RenderJob& job_;
   Crop tile_;
   std::uint32_t first_, perPixel_, count_, next_ = 0;
+  // The first sample that prepare() has not dealt with.
+  int column_, row_;
+  std::uint32_t pixelKey_, inPixel_ = 0;
   WeightedRay<F> rays_;
   UintOf<F> pixel_, sample_;
 };

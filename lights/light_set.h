@@ -94,8 +94,13 @@ LightSample<F> LightSet::sampleOne(std::size_t index, const ScatterPoint<F>& fro
 
 template <class F>
 LightSample<F> LightSet::sample(const ScatterPoint<F>& from, const LightRandom<F>& random, MaskOf<F> active) const {
-  const auto [index, probability] = selection_.choose(random.select);
   LightSample<F> s;
+  if (size() == 1 && !empty()) {
+    s = sampleOne(0, from, random.position);
+    s.pdf = select(active, s.pdf, F(0.0f));
+    return s;
+  }
+  const auto [index, probability] = selection_.choose(random.select);
   MaskOf<F> left = active & (probability > F(0.0f));
   // Light by light of those that were chosen: mostly one, or as many as there are lanes.
   for (int i = 0; i < widthOf<F>; ++i) {

@@ -37,21 +37,20 @@ class MaterialTable {
   void forEachModel(const Parameters<F>& parameters, MaskOf<F> active, const Visit& visit) const;
 
  private:
-  enum Row { kRed, kGreen, kBlue, kEta, kFuzz, kInternal, kSchlick, kRows };
+  /// The model and its parameters as one record to gather: two blocks of four, the second for models that have more
+  /// than a colour.
+  struct Record {
+    std::uint32_t model;
+    float red, green, blue, eta, fuzz, internalReflectance, schlick;
+  };
 
-  template <class F>
-  F valueOf(Row row, UintOf<F> material) const {
-    if (uniform_[row]) return F(*uniform_[row]);
-    return gather(values_.data() + static_cast<std::size_t>(row) * model_.size(), material);
-  }
   template <class F, std::size_t index, class Visit>
   void visitModel(const Parameters<F>& p, MaskOf<F> active, const Visit& visit) const;
 
   const MaterialSet* materials_;
-  std::vector<std::uint32_t> model_;                 ///< per material, and of none
-  std::vector<float> values_;                        ///< row by row
-  std::array<std::optional<float>, kRows> uniform_;  ///< of rows that are the same for all materials
-  std::vector<bool> present_;                        ///< per model
+  std::vector<Record> records_;  ///< per material, and of none
+  std::vector<bool> present_;    ///< per model
+  bool coloursOnly_ = true;      ///< no model has other parameters
   bool textured_ = false;
 };
 
@@ -59,12 +58,17 @@ template <class F>
 MaterialTable::Parameters<F> MaterialTable::parameters(const SurfacePoint<F>& at, MaskOf<F> active) const {
   const UintOf<F> none(static_cast<std::uint32_t>(materials_->size()));
   const UintOf<F> material = select(at.material < none, at.material, none);
-  Parameters<F> p{gather(model_.data(), material),
-                  {valueOf<F>(kRed, material), valueOf<F>(kGreen, material), valueOf<F>(kBlue, material)},
-                  valueOf<F>(kEta, material),
-                  valueOf<F>(kFuzz, material),
-                  valueOf<F>(kInternal, material),
-                  valueOf<F>(kSchlick, material)};
+  static_assert(sizeof(Record) == 8 * sizeof(float));
+  const UintOf<F> place = material << 3;
+  const auto a = gather4(&records_.data()->model, place);
+  Parameters<F> p{a[0], {floatOf(a[1]), floatOf(a[2]), floatOf(a[3])}, F(1.0f), F(0.0f), F(0.0f), F(0.0f)};
+  if (!coloursOnly_) {
+    const auto b = gather4(&records_.data()->eta, place);
+    p.eta = b[0];
+    p.fuzz = b[1];
+    p.internalReflectance = b[2];
+    p.schlick = b[3];
+  }
   if (!textured_) return p;
   for (int i = 0; i < widthOf<F>; ++i) {
     if (!lane(active, i)) continue;
