@@ -32,12 +32,12 @@ struct PathSettings {
   ScatterPdf scatterPdf = ScatterPdf::Bsdf;
   /// Shadow rays per vertex, 1..kMostLightSamples.
   std::uint32_t lightSamples = 1;
-  /// Roulette begins with the ray that leaves the vertex after so many bounces, up to
-  /// kDeepest.
-  std::uint32_t rouletteStart = 8;
+  /// Roulette begins with the ray that leaves the vertex after so many bounces, up to kDeepest. (This and the strength
+  /// by measurement: BENCHMARKS.md, "Roulette".)
+  std::uint32_t rouletteStart = 4;
   /// s in [0, 1]. A path goes on with probability 1 - s (1 - min(1, t)), t being the largest channel of its throughput
   /// without the scaling that refraction brings. 0: no roulette; 1: as probable as it is bright.
-  float rouletteStrength = 1.0f;
+  float rouletteStrength = 0.4f;
   /// Bounces up to kDeepest, 0 for emission only; nothing: as the scene says.
   std::optional<std::uint32_t> maxDepth = std::nullopt;
   /// Mixture: the probability of choosing a target, in [0, 1]. With 1, light from elsewhere is lost.

@@ -29,7 +29,7 @@ TEST(MakeIntegrator, DefaultsAreThoseOfTheSettings) {
   EXPECT_EQ(given.strategy, expected.strategy);
   EXPECT_EQ(given.lightSamples, expected.lightSamples);
   EXPECT_EQ(given.maxDepth, std::nullopt);
-  EXPECT_EQ(given.rouletteStart, 8u);
+  EXPECT_EQ(given.rouletteStart, 4u);
 }
 
 TEST(MakeIntegrator, ReadsEveryKeyOfPath) {

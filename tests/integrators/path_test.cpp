@@ -87,6 +87,7 @@ TEST(Path, RouletteBeginsWithTheBounceThatTheSettingsSay) {
     PathSettings settings;
     settings.maxDepth = 5;
     settings.rouletteStart = start;
+    settings.rouletteStrength = 1.0f;
     const Scene scene(test::furnace(0.25f, 1.0f));
     const auto result = render(scene, PathIntegrator(settings), settingsOf(6, 6, 4));
     for (std::uint32_t bounces = 0; bounces < start; ++bounces) {
