@@ -129,10 +129,12 @@ TEST(WidePath, EqualsWidthOneForEverySamplerFilterAndCrop) {
   }
 }
 
-TEST(WidePath, EqualsWidthOneWithAHierarchy) {
+TEST(WidePath, EqualsWidthOneByBoundsAndByAHierarchy) {
   for (const char* name : {"one-weekend", "cornell-city:200", "cornell-tower:3", "simple-light"}) {
-    const Scene scene(makeScene(name));
-    expectEqualWidths(scene, "path", settingsOf(16, 9, 3));
+    for (const std::uint32_t directClusters : {128u, 0u}) {
+      const Scene scene(makeScene(name), {.geometry = {.directClusters = directClusters}, .lights = {}});
+      expectEqualWidths(scene, "path", settingsOf(16, 9, 3));
+    }
   }
 }
 
