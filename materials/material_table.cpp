@@ -16,11 +16,16 @@ MaterialTable::MaterialTable(const MaterialSet& materials)
             record.green = m.reflectance.g;
             record.blue = m.reflectance.b;
           }
-          if constexpr (requires { m.eta; }) record.eta = m.eta;
-          if constexpr (requires { m.fuzz; }) record.fuzz = m.fuzz;
+          if constexpr (requires { m.eta; }) {
+            record.eta = m.eta;
+            coloursOnly_ = false;
+          }
+          if constexpr (requires { m.fuzz; }) {
+            record.fuzz = m.fuzz;
+            coloursOnly_ = false;
+          }
           if constexpr (requires { m.internalReflectance; }) record.internalReflectance = m.internalReflectance;
           if constexpr (requires { m.schlick; }) record.schlick = m.schlick ? 1.0f : 0.0f;
-          coloursOnly_ = coloursOnly_ && !(requires { m.eta; } || requires { m.fuzz; });
         },
         model);
     records_.push_back(record);
