@@ -23,7 +23,7 @@ struct GeometrySettings {
   /// Scenes of at most this many clusters (and no instances or native triangles) do without a hierarchy: a ray meets
   /// the bounds of 4 to 16 clusters at once, and those clusters that it may hit. Faster up to there (BENCHMARKS.md).
   /// Hits are the same either way.
-  std::uint32_t directClusters = 128;
+  std::uint32_t directClusters = 64;
   /// Meshes join the clusters if a scene has at most this many triangles in all: one hierarchy in place of two.
   /// Otherwise Embree keeps them, which is a tenth faster for twice the memory.
   std::size_t clusteredTriangles = 256;

@@ -28,7 +28,7 @@ class ClusterSet {
   /// Bounds of everything.
   const Bounds3& bounds() const { return total_; }
   /// From now on queries of all clusters leave out those whose bounds, this much wider, the ray misses: without a
-  /// hierarchy, but 4, 8 or 16 bounds at once. Faster than to meet all from some five clusters on. Needs bounds(i).
+  /// hierarchy, but 4, 8 or 16 bounds at once. `padding`, in scene units, covers rounding. Needs bounds(i).
   void cullByBounds(float padding);
   /// Frees the bounds of clusters, once a hierarchy has been built over them.
   void dropBounds() { bounds_ = {}; }

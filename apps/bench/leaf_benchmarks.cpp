@@ -31,6 +31,14 @@ void make(Numbers& n, Sphere<float>& s) { s = {n.point(), n.in(0.5f, 1.0f) * kSi
 void make(Numbers& n, Quad<float>& q) {
   q = {n.point(), n.direction() * (2.0f * kSize), n.direction() * (2.0f * kSize)};
 }
+void make(Numbers& n, AlignedQuad& q) {
+  const int u = static_cast<int>(n.in(0.0f, 2.99f)), v = (u + 1) % 3;
+  const auto along = [](int axis) {
+    const float length = 2.0f * kSize;
+    return Vec3f{axis == 0 ? length : 0.0f, axis == 1 ? length : 0.0f, axis == 2 ? length : 0.0f};
+  };
+  q = *AlignedQuad::of({n.point(), along(u), along(v)});
+}
 void make(Numbers& n, Disk<float>& d) { d = {n.point(), n.direction(), kSize}; }
 void make(Numbers& n, Triangle<float>& t) {
   const Vec3f a = n.point();
@@ -98,6 +106,7 @@ void registerLeaf(const std::string& name) {
 void registerLeafBenchmarks() {
   registerLeaf<SphereLeaf>("sphere");
   registerLeaf<QuadLeaf>("quad");
+  registerLeaf<AlignedQuadLeaf>("aligned-quad");
   registerLeaf<UprightBoxLeaf>("upright-box");
   registerLeaf<TurnedBoxLeaf>("turned-box");
   registerLeaf<DiskLeaf>("disk");

@@ -1,7 +1,11 @@
+#include <fmt/format.h>
+
 #include <array>
+#include <cmath>
 #include <memory>
 #include <optional>
 
+#include "steradian/accel/shapes/cluster.h"
 #include "steradian/apps/bench/micro.h"
 #include "steradian/apps/bench/micro_loop.h"
 #include "steradian/apps/scenes/scenes.h"
@@ -64,9 +68,36 @@ void measureGeneration(benchmark::State& state, Workload& workload, Generation g
   }
 }
 
+/// Boxes that fill a cube at random, in so many clusters, without a hierarchy or with one, and rays from within.
+void measureLayout(benchmark::State& state, std::uint32_t clusters, bool hierarchy) {
+  const std::uint32_t count = clusters * kClusterSize;
+  const auto number = [](std::uint32_t i, std::uint32_t k) { return toUnitFloat<float>(randomWords(i, k, 0u, 0u)[0]); };
+  const auto point = [&](std::uint32_t i, std::uint32_t k) {
+    return Vec3f{number(i, k), number(i, k + 1), number(i, k + 2)};
+  };
+  const float half = 0.35f / std::cbrt(static_cast<float>(count));
+  BoxSet boxes;
+  for (std::uint32_t i = 0; i < count; ++i) boxes.addRotatedY(point(i, 0), {half, half, half}, 90.0f * number(i, 3));
+  const auto scene = std::make_shared<SceneDescription>();
+  scene->addShape("boxes", std::move(boxes), kNone);
+  std::vector<Ray<float>> rays;
+  for (std::uint32_t i = 0; i < 4096; ++i) {
+    rays.push_back({point(i, 4), UniformSphere<float>::sample({number(i, 7), number(i, 8)})});
+  }
+  const Geometry geometry(scene, {.directClusters = hierarchy ? 0 : clusters});
+  measureRays(state, rays.size(), [&](std::size_t i) { return geometry.intersect(rays[i]); });
+}
+
 }  // namespace
 
 void registerQueryBenchmarks() {
+  for (const std::uint32_t clusters : {3u, 4u, 16u, 32u, 64u, 128u, 256u}) {
+    for (const bool hierarchy : {false, true}) {
+      benchmark::RegisterBenchmark(
+          fmt::format("layout/{}-clusters/{}", clusters, hierarchy ? "hierarchy" : "bounds").c_str(),
+          [clusters, hierarchy](benchmark::State& state) { measureLayout(state, clusters, hierarchy); });
+    }
+  }
   for (const char* scene : {"cornell-box", "one-weekend", "cornell-city:166667"}) {
     const auto workload = std::make_shared<Workload>(scene);
     for (const Generation generation : {kCamera, kBounce1, kBounce2, kShadow1}) {

@@ -131,7 +131,7 @@ TEST(WidePath, EqualsWidthOneForEverySamplerFilterAndCrop) {
 
 TEST(WidePath, EqualsWidthOneByBoundsAndByAHierarchy) {
   for (const char* name : {"one-weekend", "cornell-city:200", "cornell-tower:3", "simple-light"}) {
-    for (const std::uint32_t directClusters : {128u, 0u}) {
+    for (const std::uint32_t directClusters : {64u, 0u}) {
       const Scene scene(makeScene(name), {.geometry = {.directClusters = directClusters}, .lights = {}});
       expectEqualWidths(scene, "path", settingsOf(16, 9, 3));
     }
