@@ -47,8 +47,8 @@ bool anyInOne(const Clusters& clusters, std::uint32_t cluster, const Ray<float>&
 /// those in the mask, no nearer than `distance` (Kay & Kajiya 1986). The bounds are wide enough for rounding.
 template <class Visit>
 void forEachMet(const Clusters& clusters, const Ray<F>& ray, const Visit& visit) {
-  const auto inverse = [](F d) { return F(1.0f) / (d + F(1e-20f)); };
-  const F rx = inverse(ray.direction.x), ry = inverse(ray.direction.y), rz = inverse(ray.direction.z);
+  const F rx = reciprocalOfComponent(ray.direction.x), ry = reciprocalOfComponent(ray.direction.y),
+          rz = reciprocalOfComponent(ray.direction.z);
   std::uint32_t first = 0;
   for (const Clusters::BoundsBlock& block : clusters.bounds) {
     for (int i = 0; i < kClusterSize; i += kNativeWidth, first += kNativeWidth) {
