@@ -24,6 +24,14 @@ void append(std::vector<float>& x, std::vector<float>& y, std::vector<float>& z,
 void SphereSet::add(Vec3f center, float sphereRadius) {
   append(centerX, centerY, centerZ, center);
   radius.push_back(sphereRadius);
+  if (!moveX.empty()) append(moveX, moveY, moveZ, {});
+}
+
+void SphereSet::addMoving(Vec3f from, Vec3f to, float sphereRadius) {
+  for (std::vector<float>* column : {&moveX, &moveY, &moveZ}) column->resize(radius.size(), 0.0f);
+  append(centerX, centerY, centerZ, from);
+  radius.push_back(sphereRadius);
+  append(moveX, moveY, moveZ, to - from);
 }
 
 void QuadSet::add(Vec3f corner, Vec3f u, Vec3f v) {
@@ -66,7 +74,7 @@ const char* primitiveName(const ShapeGeometry& geometry) {
 }
 
 Id SceneDescription::addTexture(TextureDescription texture) {
-  textures.push_back(texture);
+  textures.push_back(std::move(texture));
   return static_cast<Id>(textures.size() - 1);
 }
 
@@ -75,6 +83,11 @@ Id SceneDescription::addColour(Rgb value) { return addTexture(ConstantTexture{va
 Id SceneDescription::addMaterial(std::string materialName, MaterialModel model) {
   materials.push_back({std::move(materialName), model, {}});
   return static_cast<Id>(materials.size() - 1);
+}
+
+Id SceneDescription::addMedium(MediumDescription medium) {
+  media.push_back(std::move(medium));
+  return static_cast<Id>(media.size() - 1);
 }
 
 Id SceneDescription::addShape(std::string shapeName, ShapeGeometry geometry, Id material) {
@@ -92,7 +105,7 @@ void SceneDescription::setEmission(Id shape, SurfaceEmission emission) {
 }
 
 Id SceneDescription::addLight(std::string lightName, LightModel model) {
-  lights.push_back({std::move(lightName), model, {}});
+  lights.push_back({std::move(lightName), std::move(model), {}});
   return static_cast<Id>(lights.size() - 1);
 }
 

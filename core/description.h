@@ -12,6 +12,7 @@
 
 #include "steradian/core/custom_shape.h"
 #include "steradian/core/diagnostics.h"
+#include "steradian/core/image.h"
 #include "steradian/core/spectrum.h"
 #include "steradian/core/surface_point.h"
 #include "steradian/core/transform.h"
@@ -33,7 +34,31 @@ struct CheckerTexture {
   float scale = 1.0f;            ///< World: edge of a cell, scene units; Uv: number of cells along u and v
   Space space = Space::World;
 };
-using TextureDescription = std::variant<ConstantTexture, CheckerTexture>;
+/// A picture over (u, v): u runs to the right, v upwards, (0, 0) is the lower left corner of the picture.
+struct ImageTexture {
+  /// What lies beyond the picture.
+  enum class Wrap { Repeat, Mirror, Clamp, Black };
+  enum class Filter { Nearest, Bilinear };
+  std::string name;                    ///< for people: the file that it came from
+  std::shared_ptr<const Image> image;  ///< linear colours: R, G and B, or one channel for all three
+  Wrap wrapU = Wrap::Repeat, wrapV = Wrap::Repeat;
+  Filter filter = Filter::Bilinear;
+  float repeatU = 1.0f, repeatV = 1.0f;  ///< how often the picture fits into the parameter range
+};
+/// Perlin's noise in world space ("The Next Week", 5), in [0, 1] times a colour.
+struct NoiseTexture {
+  enum class Pattern {
+    Noise,       ///< (1 + noise) / 2
+    Turbulence,  ///< the sum of |octaves|, each of twice the frequency and half the size
+    Marble       ///< (1 + sin(scale z + 10 turbulence)) / 2, the turbulence being that of the unscaled position
+  };
+  Pattern pattern = Pattern::Marble;
+  Rgb colour{1.0f, 1.0f, 1.0f};
+  float scale = 1.0f;  ///< Noise, Turbulence: cells per scene unit; Marble: radians per scene unit
+  int octaves = 7;     ///< of turbulence, 1..16
+  std::uint32_t seed = 0;
+};
+using TextureDescription = std::variant<ConstantTexture, CheckerTexture, ImageTexture, NoiseTexture>;
 
 // --- Materials --------------------------------------------------------------------------------------------------
 
@@ -47,9 +72,10 @@ struct MetalMaterial {
   Id reflectance = kNone;  ///< texture, 0..1
   float fuzz = 0.0f;
 };
-/// Smooth interface. eta: refractive index inside over outside (> 0; below 1 for a bubble).
+/// Smooth interface. On shapes with a priority (see Interior) eta is the refractive index of the inside, and what is
+/// outside follows from the bodies that the ray is in; on others it is inside over outside, below 1 for a bubble.
 struct DielectricMaterial {
-  float eta = 1.5f;
+  float eta = 1.5f;      ///< > 0
   bool schlick = false;  ///< Schlick's approximation with the incident side's cosine, as the books do; else exact
 };
 /// Varnished wood: a smooth Fresnel coat over Lambert.
@@ -57,12 +83,39 @@ struct CoatedMaterial {
   Id reflectance = kNone;  ///< texture of the base, 0..1
   float eta = 1.5f;
 };
-using MaterialModel =
-    std::variant<AbsorberMaterial, LambertMaterial, MetalMaterial, DielectricMaterial, CoatedMaterial>;
+/// Scatters into the whole hemisphere alike: reflectance / (2 pi) times the irradiance per unit of area across the ray,
+/// the "hemisphere" material of "The Rest of Your Life" (6). Not reciprocal: no real surface does this.
+struct UniformDiffuseMaterial {
+  Id reflectance = kNone;  ///< texture, 0..1
+};
+/// Nothing at all: a boundary between media, which rays cross unchanged.
+struct InterfaceMaterial {};
+using MaterialModel = std::variant<AbsorberMaterial, LambertMaterial, MetalMaterial, DielectricMaterial, CoatedMaterial,
+                                   UniformDiffuseMaterial, InterfaceMaterial>;
 struct MaterialDescription {
   std::string name;
   MaterialModel model;
   SourceRange where;
+};
+
+// --- Media ------------------------------------------------------------------------------------------------------
+
+/// A homogeneous medium. What a ray loses per metre is absorption + scattering; what is scattered goes on about its old
+/// direction as Henyey and Greenstein have it.
+struct MediumDescription {
+  std::string name;
+  Rgb absorption{}, scattering{};  ///< 1/m
+  Rgb emission{};                  ///< W sr^-1 m^-3: the radiance that a ray gains per metre
+  float anisotropy = 0.0f;         ///< mean cosine of the scattering angle, in (-1, 1)
+  SourceRange where;
+};
+/// What fills a closed shape. Where several are in one place, the highest priority counts; among equal ones, that of
+/// the shape entered last.
+struct Interior {
+  Id medium = kNone;  ///< kNone: vacuum
+  /// Above 0 the surface vanishes inside of bodies with a higher priority, so that glass and the liquid in it may
+  /// overlap (Schmidt & Budge 2002, "Simple nested dielectrics in ray traced images"). 0: it is always there.
+  int priority = 0;
 };
 
 // --- Shapes -----------------------------------------------------------------------------------------------------
@@ -70,8 +123,11 @@ struct MaterialDescription {
 /// Spheres by centre and radius (> 0).
 struct SphereSet {
   std::vector<float> centerX, centerY, centerZ, radius;
+  std::vector<float> moveX, moveY, moveZ;  ///< how far the centre moves from time 0 to time 1; or none move
 
   void add(Vec3f center, float sphereRadius);
+  /// From one centre to the other while the shutter is open. Sets may mix both kinds.
+  void addMoving(Vec3f from, Vec3f to, float sphereRadius);
 };
 /// Parallelograms corner + s u + t v, s and t in [0, 1]; the normal is along u x v ("The Next Week", 6).
 struct QuadSet {
@@ -111,13 +167,21 @@ std::size_t primitiveCount(const ShapeGeometry& geometry);
 /// The name users know a set's primitives by: "sphere", "quad", "box", "disk", "triangle", "custom".
 const char* primitiveName(const ShapeGeometry& geometry);
 
+/// Local to world, at time 0 and at time 1: affine, invertible. Between the two, translation, rotation and stretch are
+/// interpolated each for itself (Shoemake & Duff 1992).
+struct Motion {
+  Matrix open, close;
+};
+
 struct ShapeDescription {
   std::string name;
   ShapeGeometry geometry;
   Id material = kNone;
   std::vector<Id> primitiveMaterials;  ///< one per primitive, or empty: `material` for all
   Id emission = kNone;                 ///< every primitive is an area light
-  bool target = false;  ///< a sampling target of the mixture strategy; any flag replaces the set "lights"
+  bool target = false;               ///< a sampling target of the mixture strategy; any flag replaces the set "lights"
+  std::optional<Interior> interior;  ///< of closed shapes
+  std::optional<Motion> motion;      ///< none: the set's coordinates are those of the world
   SourceRange where;
 };
 
@@ -130,6 +194,7 @@ struct Group {
 struct InstanceSet {
   Id group = kNone;
   std::vector<Matrix> transforms;
+  std::vector<Matrix> closing;  ///< at time 1, when `transforms` are those of time 0 (see Motion); or nothing moves
   SourceRange where;
 };
 
@@ -162,7 +227,15 @@ struct ConstantSky {
 struct GradientSky {
   Rgb nadir{}, zenith{};  ///< W sr^-1 m^-2
 };
-using LightModel = std::variant<PointLight, SpotLight, DistantLight, ConstantSky, GradientSky>;
+/// A picture of the whole sphere of directions, equirectangular: up (+y) at the top, and in the middle of the picture
+/// -z, turned by `rotation` about +y.
+struct ImageSky {
+  std::string name;                    ///< for people: the file that it came from
+  std::shared_ptr<const Image> image;  ///< linear: R, G and B, or one channel for all three
+  Rgb scale{1.0f, 1.0f, 1.0f};         ///< W sr^-1 m^-2 per unit of the picture
+  float rotation = 0.0f;               ///< degrees, counter-clockwise seen from above
+};
+using LightModel = std::variant<PointLight, SpotLight, DistantLight, ConstantSky, GradientSky, ImageSky>;
 struct LightDescription {
   std::string name;
   LightModel model;
@@ -199,6 +272,8 @@ struct SceneDescription {
   std::string name;
   std::vector<TextureDescription> textures;
   std::vector<MaterialDescription> materials;
+  std::vector<MediumDescription> media;
+  Id outside = kNone;  ///< the medium around everything; kNone: vacuum
   std::vector<SurfaceEmission> emissions;
   std::vector<ShapeDescription> shapes;
   std::vector<Group> groups;
@@ -212,6 +287,7 @@ struct SceneDescription {
   Id addTexture(TextureDescription texture);
   Id addColour(Rgb value);  ///< a ConstantTexture
   Id addMaterial(std::string materialName, MaterialModel model);
+  Id addMedium(MediumDescription medium);
   Id addShape(std::string shapeName, ShapeGeometry geometry, Id material);
   void setEmission(Id shape, SurfaceEmission emission);  ///< makes the shape an area light
   Id addLight(std::string lightName, LightModel model);

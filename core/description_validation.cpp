@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -23,6 +24,9 @@ class Validator {
   void run() {
     for (std::size_t i = 0; i < scene_.textures.size(); ++i) checkTexture(i);
     for (const MaterialDescription& m : scene_.materials) checkMaterial(m);
+    for (const MediumDescription& m : scene_.media) checkMedium(m);
+    if (scene_.outside != kNone && scene_.outside >= scene_.media.size())
+      error({}, "the medium around everything is not in the scene");
     for (const SurfaceEmission& e : scene_.emissions)
       if (!nonNegative(e.radiance)) error({}, "an emission's radiance must be finite and not negative");
     for (const ShapeDescription& s : scene_.shapes) checkShape(s);
@@ -39,6 +43,18 @@ class Validator {
   bool textureExists(Id id) const { return id < scene_.textures.size(); }
 
   void checkTexture(std::size_t index) {
+    if (const auto* image = std::get_if<ImageTexture>(&scene_.textures[index])) {
+      checkPicture(image->image.get(), {}, fmt::format("texture {}", index));
+      const auto usable = [](float repeat) { return std::isfinite(repeat) && repeat != 0.0f; };
+      if (!usable(image->repeatU) || !usable(image->repeatV))
+        error({}, fmt::format("texture {}: an image fits into the surface a finite number of times, not 0", index));
+      return;
+    }
+    if (const auto* noise = std::get_if<NoiseTexture>(&scene_.textures[index])) {
+      if (!nonNegative(noise->colour) || !std::isfinite(noise->scale) || noise->octaves < 1 || noise->octaves > 16)
+        error({}, fmt::format("texture {}: noise needs a colour, a finite scale and 1 to 16 octaves", index));
+      return;
+    }
     if (const auto* constant = std::get_if<ConstantTexture>(&scene_.textures[index])) {
       if (!finite(constant->value)) error({}, fmt::format("texture {} has a value that is not finite", index));
       return;
@@ -49,6 +65,19 @@ class Validator {
     // A texture may only refer to earlier ones: no cycle can be written, and one pass resolves all.
     if (checker.even >= index || checker.odd >= index)
       error({}, fmt::format("texture {}: a checker must refer to textures defined before it", index));
+  }
+
+  void checkPicture(const Image* image, const SourceRange& where, const std::string& owner) {
+    if (image == nullptr || (!image->findRgb() && image->channelCount() != 1))
+      error(where, owner + " needs a picture with the channels R, G and B, or with a single one");
+  }
+
+  void checkMedium(const MediumDescription& m) {
+    if (!nonNegative(m.absorption) || !nonNegative(m.scattering) || !nonNegative(m.emission))
+      error(m.where, fmt::format("medium \"{}\": its coefficients must be finite and not negative", m.name));
+    if (!(std::abs(m.anisotropy) < 1.0f))
+      error(m.where,
+            fmt::format("medium \"{}\": anisotropy must lie between -1 and 1, not be {}", m.name, m.anisotropy));
   }
 
   void checkReflectance(const MaterialDescription& m, Id texture) {
@@ -74,6 +103,7 @@ class Validator {
         error(m.where, fmt::format("material \"{}\": fuzz must lie in [0, 1], not {}", m.name, metal->fuzz));
     }
     if (const auto* dielectric = std::get_if<DielectricMaterial>(&m.model)) checkEta(m, dielectric->eta);
+    if (const auto* uniform = std::get_if<UniformDiffuseMaterial>(&m.model)) checkReflectance(m, uniform->reflectance);
     if (const auto* coated = std::get_if<CoatedMaterial>(&m.model)) {
       checkReflectance(m, coated->reflectance);
       checkEta(m, coated->eta);
@@ -98,6 +128,16 @@ class Validator {
       error(s.where, fmt::format("shape \"{}\": a custom shape cannot be a light", s.name));
     if (s.target && std::holds_alternative<CustomShapeSet>(s.geometry))
       error(s.where, fmt::format("shape \"{}\": a custom shape cannot be a sampling target", s.name));
+    if (s.interior && s.interior->medium != kNone && s.interior->medium >= scene_.media.size())
+      error(s.where, fmt::format("shape \"{}\" is filled with a medium that is not in the scene", s.name));
+    if (s.interior && s.interior->priority < 0)
+      error(s.where, fmt::format("shape \"{}\": a priority is at least 0, not {}", s.name, s.interior->priority));
+    if (s.interior && (std::holds_alternative<QuadSet>(s.geometry) || std::holds_alternative<DiskSet>(s.geometry)))
+      error(s.where,
+            fmt::format("shape \"{}\" has an interior, but a {} encloses nothing", s.name, primitiveName(s.geometry)));
+    if (s.motion && (!usable(s.motion->open) || !usable(s.motion->close)))
+      error(s.where,
+            fmt::format("shape \"{}\": the transforms of its motion must be affine, finite and invertible", s.name));
     std::visit([&](const auto& set) { checkSet(s, set); }, s.geometry);
   }
 
@@ -124,11 +164,13 @@ class Validator {
 
   void checkSet(const ShapeDescription& s, const SphereSet& set) {
     if (!sameLength(s, {&set.centerX, &set.centerY, &set.centerZ})) return;
+    const bool moves = !set.moveX.empty();
+    if (moves && !sameLength(s, {&set.moveX, &set.moveY, &set.moveZ})) return;
     checkEach(
         s,
         [&](std::size_t i) {
           return finite(Vec3f{set.centerX[i], set.centerY[i], set.centerZ[i]}) && set.radius[i] > 0.0f &&
-                 std::isfinite(set.radius[i]);
+                 std::isfinite(set.radius[i]) && (!moves || finite(Vec3f{set.moveX[i], set.moveY[i], set.moveZ[i]}));
         },
         "needs a finite centre and a positive radius");
   }
@@ -209,10 +251,12 @@ class Validator {
           error({}, fmt::format("group \"{}\" has a shape that is not in the scene", group.name));
     for (const InstanceSet& set : scene_.instances) {
       if (set.group >= scene_.groups.size()) error(set.where, "an instance refers to a group that is not in the scene");
-      for (const Matrix& m : set.transforms) {
-        if (usable(m)) continue;
+      if (!set.closing.empty() && set.closing.size() != set.transforms.size())
+        error(set.where,
+              fmt::format("{} instances have {} transforms at time 1", set.transforms.size(), set.closing.size()));
+      for (const std::vector<Matrix>* matrices : {&set.transforms, &set.closing}) {
+        if (std::all_of(matrices->begin(), matrices->end(), usable)) continue;
         error(set.where, "an instance's transform must be affine, finite and invertible");
-        break;
       }
     }
   }
@@ -240,6 +284,10 @@ class Validator {
         complain("needs a direction and an irradiance");
     if (const auto* sky = std::get_if<ConstantSky>(&l.model))
       if (!nonNegative(sky->radiance)) complain("needs a radiance that is finite and not negative");
+    if (const auto* sky = std::get_if<ImageSky>(&l.model)) {
+      checkPicture(sky->image.get(), l.where, fmt::format("light \"{}\"", l.name));
+      if (!nonNegative(sky->scale) || !std::isfinite(sky->rotation)) complain("needs a scale and a finite rotation");
+    }
     if (const auto* sky = std::get_if<GradientSky>(&l.model))
       if (!nonNegative(sky->nadir) || !nonNegative(sky->zenith))
         complain("needs radiances that are finite and not negative");

@@ -36,15 +36,36 @@ class Hasher {
 
   void add(const ConstantTexture& t) { add(t.value); }
   void add(const CheckerTexture& t) { all(t.even, t.odd, t.scale, t.space == CheckerTexture::Space::Uv); }
+  void add(const std::shared_ptr<const Image>& image) {
+    all(std::uint64_t(image->width()), std::uint64_t(image->height()));
+    for (const float x : image->values()) add(x);
+  }
+  void add(const ImageTexture& t) {
+    all(t.image, static_cast<std::uint32_t>(t.wrapU), static_cast<std::uint32_t>(t.wrapV),
+        t.filter == ImageTexture::Filter::Nearest, t.repeatU, t.repeatV);
+  }
+  void add(const NoiseTexture& t) {
+    all(static_cast<std::uint32_t>(t.pattern), t.colour, t.scale, static_cast<std::uint32_t>(t.octaves), t.seed);
+  }
   void add(const AbsorberMaterial&) {}
+  void add(const UniformDiffuseMaterial& m) { add(m.reflectance); }
+  void add(const InterfaceMaterial&) {}
   void add(const LambertMaterial& m) { add(m.reflectance); }
   void add(const MetalMaterial& m) { all(m.reflectance, m.fuzz); }
   void add(const DielectricMaterial& m) { all(m.eta, m.schlick); }
   void add(const CoatedMaterial& m) { all(m.reflectance, m.eta); }
   void add(const MaterialDescription& m) { add(m.model); }
+  void add(const MediumDescription& m) { all(m.absorption, m.scattering, m.emission, m.anisotropy); }
+  void add(const Interior& i) { all(i.medium, static_cast<std::uint32_t>(i.priority)); }
+  void add(const Motion& m) { all(m.open, m.close); }
+  template <class T>
+  void add(const std::optional<T>& value) {
+    add(value.has_value());
+    if (value) add(*value);
+  }
   void add(const SurfaceEmission& e) { all(e.radiance, e.twoSided); }
 
-  void add(const SphereSet& s) { all(s.centerX, s.centerY, s.centerZ, s.radius); }
+  void add(const SphereSet& s) { all(s.centerX, s.centerY, s.centerZ, s.radius, s.moveX, s.moveY, s.moveZ); }
   void add(const QuadSet& s) { all(s.cornerX, s.cornerY, s.cornerZ, s.uX, s.uY, s.uZ, s.vX, s.vY, s.vZ); }
   void add(const BoxSet& s) {
     all(s.centerX, s.centerY, s.centerZ, s.halfX, s.halfY, s.halfZ);
@@ -59,15 +80,18 @@ class Hasher {
       all(bounds.low, bounds.high);
     }
   }
-  void add(const ShapeDescription& s) { all(s.geometry, s.material, s.primitiveMaterials, s.emission, s.target); }
+  void add(const ShapeDescription& s) {
+    all(s.geometry, s.material, s.primitiveMaterials, s.emission, s.target, s.interior, s.motion);
+  }
   void add(const Group& g) { add(g.shapes); }
-  void add(const InstanceSet& s) { all(s.group, s.transforms); }
+  void add(const InstanceSet& s) { all(s.group, s.transforms, s.closing); }
 
   void add(const PointLight& l) { all(l.position, l.intensity); }
   void add(const SpotLight& l) { all(l.position, l.direction, l.intensity, l.innerAngle, l.outerAngle); }
   void add(const DistantLight& l) { all(l.direction, l.irradiance); }
   void add(const ConstantSky& l) { add(l.radiance); }
   void add(const GradientSky& l) { all(l.nadir, l.zenith); }
+  void add(const ImageSky& l) { all(l.image, l.scale, l.rotation); }
   void add(const LightDescription& l) { add(l.model); }
 
   void add(const PerspectiveCamera& c) {
@@ -89,8 +113,8 @@ class Hasher {
 
 std::uint64_t sceneHash(const SceneDescription& scene) {
   Hasher hasher;
-  hasher.all(scene.textures, scene.materials, scene.emissions, scene.shapes, scene.groups, scene.instances,
-             scene.lights, scene.camera);
+  hasher.all(scene.textures, scene.materials, scene.media, scene.outside, scene.emissions, scene.shapes, scene.groups,
+             scene.instances, scene.lights, scene.camera);
   return hasher.value();
 }
 

@@ -43,6 +43,31 @@ json toJson(const CheckerTexture& t) {
           {"space", t.space == CheckerTexture::Space::World ? "world" : "uv"}};
 }
 
+const char* toJson(ImageTexture::Wrap wrap) {
+  static constexpr const char* names[] = {"repeat", "mirror", "clamp", "black"};
+  return names[static_cast<int>(wrap)];
+}
+json toJson(const ImageTexture& t) {
+  return {{"type", "image"},
+          {"file", t.name},
+          {"wrapU", toJson(t.wrapU)},
+          {"wrapV", toJson(t.wrapV)},
+          {"filter", t.filter == ImageTexture::Filter::Nearest ? "nearest" : "bilinear"},
+          {"repeatU", toJson(t.repeatU)},
+          {"repeatV", toJson(t.repeatV)}};
+}
+json toJson(const NoiseTexture& t) {
+  static constexpr const char* patterns[] = {"noise", "turbulence", "marble"};
+  return {{"type", "noise"},
+          {"pattern", patterns[static_cast<int>(t.pattern)]},
+          {"colour", toJson(t.colour)},
+          {"scale", toJson(t.scale)},
+          {"octaves", t.octaves},
+          {"seed", t.seed}};
+}
+
+json toJson(const UniformDiffuseMaterial& m) { return {{"type", "uniform-diffuse"}, {"reflectance", m.reflectance}}; }
+json toJson(const InterfaceMaterial&) { return {{"type", "interface"}}; }
 json toJson(const AbsorberMaterial&) { return {{"type", "absorber"}}; }
 json toJson(const LambertMaterial& m) { return {{"type", "lambert"}, {"reflectance", m.reflectance}}; }
 json toJson(const MetalMaterial& m) {
@@ -56,10 +81,16 @@ json toJson(const CoatedMaterial& m) {
 }
 
 json toJson(const SphereSet& s) {
-  return {{"centerX", toJson(s.centerX)},
-          {"centerY", toJson(s.centerY)},
-          {"centerZ", toJson(s.centerZ)},
-          {"radius", toJson(s.radius)}};
+  json out = {{"centerX", toJson(s.centerX)},
+              {"centerY", toJson(s.centerY)},
+              {"centerZ", toJson(s.centerZ)},
+              {"radius", toJson(s.radius)}};
+  if (!s.moveX.empty()) {
+    out["moveX"] = toJson(s.moveX);
+    out["moveY"] = toJson(s.moveY);
+    out["moveZ"] = toJson(s.moveZ);
+  }
+  return out;
 }
 json toJson(const QuadSet& s) {
   return {{"cornerX", toJson(s.cornerX)}, {"cornerY", toJson(s.cornerY)}, {"cornerZ", toJson(s.cornerZ)},
@@ -110,6 +141,18 @@ json toJson(const GradientSky& l) {
   return {{"type", "gradient sky"}, {"nadir", toJson(l.nadir)}, {"zenith", toJson(l.zenith)}};
 }
 
+json toJson(const ImageSky& l) {
+  return {{"type", "image sky"}, {"file", l.name}, {"scale", toJson(l.scale)}, {"rotation", toJson(l.rotation)}};
+}
+
+json toJson(const MediumDescription& m) {
+  return {{"name", m.name},
+          {"absorption", toJson(m.absorption)},
+          {"scattering", toJson(m.scattering)},
+          {"emission", toJson(m.emission)},
+          {"anisotropy", toJson(m.anisotropy)}};
+}
+
 template <class Camera>
 json viewJson(const char* type, const Camera& c) {
   return {{"type", type}, {"lookFrom", toJson(c.lookFrom)}, {"lookAt", toJson(c.lookAt)}, {"up", toJson(c.up)}};
@@ -141,6 +184,8 @@ json toJson(const ShapeDescription& s) {
   if (!s.primitiveMaterials.empty()) out["primitiveMaterials"] = s.primitiveMaterials;
   out["emission"] = idJson(s.emission);
   out["target"] = s.target;
+  if (s.interior) out["interior"] = {{"medium", idJson(s.interior->medium)}, {"priority", s.interior->priority}};
+  if (s.motion) out["motion"] = {{"open", toJson(s.motion->open)}, {"close", toJson(s.motion->close)}};
   return out;
 }
 
@@ -183,6 +228,8 @@ json toJson(const SceneDescription& scene) {
   out["name"] = scene.name;
   out["textures"] = listJson(scene.textures);
   out["materials"] = namedJson(scene.materials);
+  out["media"] = listJson(scene.media);
+  out["outside"] = idJson(scene.outside);
   out["emissions"] = json::array();
   for (const SurfaceEmission& e : scene.emissions)
     out["emissions"].push_back({{"radiance", toJson(e.radiance)}, {"twoSided", e.twoSided}});
@@ -190,8 +237,10 @@ json toJson(const SceneDescription& scene) {
   out["groups"] = json::array();
   for (const Group& g : scene.groups) out["groups"].push_back({{"name", g.name}, {"shapes", g.shapes}});
   out["instances"] = json::array();
-  for (const InstanceSet& set : scene.instances)
+  for (const InstanceSet& set : scene.instances) {
     out["instances"].push_back({{"group", set.group}, {"transforms", listJson(set.transforms)}});
+    if (!set.closing.empty()) out["instances"].back()["closing"] = listJson(set.closing);
+  }
   out["lights"] = namedJson(scene.lights);
   out["camera"] = toJson(scene.camera);
   out["defaults"] = {{"width", scene.defaults.width},
