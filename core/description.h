@@ -107,7 +107,7 @@ struct MediumDescription {
   Rgb absorption{}, scattering{};  ///< 1/m
   Rgb emission{};                  ///< W sr^-1 m^-3: the radiance that a ray gains per metre
   float anisotropy = 0.0f;         ///< mean cosine of the scattering angle, in (-1, 1)
-  SourceRange where;
+  SourceRange where{};
 };
 /// What fills a closed shape. Where several are in one place, the highest priority counts; among equal ones, that of
 /// the shape entered last.

@@ -44,11 +44,10 @@ PixelSample RadianceIntegrator::evaluate(const Scene& scene, const Ray<float>& r
 
 PixelSample traceFirstHit(const Scene& scene, const Ray<float>& ray) {
   PixelSample sample = kMiss;
-  const Hit<float> hit = scene.geometry().intersect(ray);
-  if (!hit.valid) return sample;
-  const SurfacePoint<float> surface = scene.geometry().surfacePoint(ray, hit);
+  const Scene::FirstSurface first = scene.firstSurface(ray, scene.bodiesAtStart(ray));
+  if (!first.point.valid) return sample;
   const Vec3f wo = -ray.direction;
-  setFirstHit(sample, surface, scene.materials().bsdf(surface, wo), wo);
+  setFirstHit(sample, first.point, scene.materials().bsdf(first.point, wo, first.outsideEta), wo);
   return sample;
 }
 

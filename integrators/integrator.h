@@ -43,7 +43,8 @@ class RadianceIntegrator : public Integrator {
 
 /// What a sample is that met nothing and found no light.
 inline constexpr PixelSample kMiss{.alpha = 0.0f};
-/// A sample without radiance: alpha, albedo, normal (turned to the ray's origin) and depth of what the ray meets first.
+/// A sample without radiance: alpha, albedo, normal (turned to the ray's origin) and depth of the first surface that a
+/// camera ray meets.
 PixelSample traceFirstHit(const Scene& scene, const Ray<float>& ray);
 /// The same where the hit is known.
 void setFirstHit(PixelSample& sample, const SurfacePoint<float>& surface, const Bsdf& bsdf, Vec3f wo);

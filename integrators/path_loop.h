@@ -6,12 +6,15 @@
 /// those lights only that cannot be hit. `mis` samples all but skies and takes the true density. `light` samples all
 /// and takes 0, so that light samples get all the weight, hits of emitters none. Dirac lobes have infinity in every
 /// strategy. What light sampling cannot find has pdf 0 as emission and belongs to scattering alone.
+///
+/// Where a medium scatters the path, its phase function takes the place of the BSDF, and the rest is the same.
 #include "steradian/core/direction_pdf.h"
 #include "steradian/core/ray_offset.h"
 #include "steradian/core/sampler.h"
 #include "steradian/integrators/integrator.h"
 #include "steradian/integrators/path_settings.h"
 #include "steradian/integrators/scene_queries.h"
+#include "steradian/materials/phase.h"
 
 namespace steradian {
 
@@ -27,21 +30,27 @@ struct PathPlan {
   const TargetSet* targets;     ///< null where targetWeight is 0
 };
 
-/// Where light arrives and leaves.
+/// Where light arrives and leaves. Scatterer: Bsdf, or Phase<float> in a medium.
+template <class Scatterer>
 struct PathVertex {
   ScatterPoint<float> point;
   Vec3f axis;  ///< the shading normal, turned to the side of wo
   Vec3f wo;
-  const Bsdf& bsdf;
+  const Scatterer& bsdf;
+  ScatterPdf scatterPdf;
   float diracProbability;  ///< of sampling one of the BSDF's Dirac lobes
   bool lightSampled;       ///< lights that could also be hit are sampled for it
+  /// Where there are volumes: the bodies that the path came through, and the surface, or null in a medium.
+  const Bodies* bodies;
+  const SurfacePoint<float>* surface;
 };
 
 /// The density, per steradian, with which `scatter` takes a continuous lobe and chooses wi; `bsdfPdf` is the BSDF's
 /// own.
-inline float scatterDensity(ScatterPdf kind, const PathVertex& vertex, Vec3f wi, float bsdfPdf) {
+template <class Vertex>
+float scatterDensity(const Vertex& vertex, Vec3f wi, float bsdfPdf) {
   const float continuous = 1.0f - vertex.diracProbability;
-  switch (kind) {
+  switch (vertex.scatterPdf) {
     case ScatterPdf::Bsdf:
       return bsdfPdf;
     case ScatterPdf::Cosine:
@@ -55,7 +64,9 @@ inline float scatterDensity(ScatterPdf kind, const PathVertex& vertex, Vec3f wi,
 }
 
 /// The BSDF's sample, or for its continuous lobes one of the density asked for.
-inline BsdfSample<float> scatter(ScatterPdf kind, const PathVertex& vertex, BsdfRandom<float> random) {
+template <class Vertex>
+BsdfSample<float> scatter(const Vertex& vertex, BsdfRandom<float> random) {
+  const ScatterPdf kind = vertex.scatterPdf;
   if (kind == ScatterPdf::Bsdf || random.lobe < vertex.diracProbability) {
     return vertex.bsdf.sample(vertex.wo, random, Transport::Radiance);
   }
@@ -63,16 +74,16 @@ inline BsdfSample<float> scatter(ScatterPdf kind, const PathVertex& vertex, Bsdf
   if (kind == ScatterPdf::Cosine) direction = CosinePdf<float>(vertex.axis).sample(random.direction);
   if (kind == ScatterPdf::Hemisphere) direction = HemispherePdf<float>(vertex.axis).sample(random.direction);
   const BsdfValue<float> f = vertex.bsdf.eval(vertex.wo, direction.wi, Transport::Radiance);
-  const float pdf = scatterDensity(kind, vertex, direction.wi, f.pdf);
+  const float pdf = scatterDensity(vertex, direction.wi, f.pdf);
   if (!(pdf > 0.0f) || isBlack(f.value)) return {};
   return {f.value / pdf, direction.wi, pdf, kLobeDiffuse, 1.0f};
 }
 
 /// One direction from the mixture of targets and scattering, over its marginal density. Dirac lobes come first, with
 /// their own probability; the mixture covers the continuous ones.
-template <class Queries>
-BsdfSample<float> scatterMixture(const PathPlan& plan, Queries& queries, const PathVertex& vertex,
-                                 BsdfRandom<float> random, const Sampler<float>& sampler, std::uint32_t bounce) {
+template <class Queries, class Vertex>
+BsdfSample<float> scatterMixture(const PathPlan& plan, Queries& queries, const Vertex& vertex, BsdfRandom<float> random,
+                                 const Sampler<float>& sampler, std::uint32_t bounce) {
   if (random.lobe < vertex.diracProbability) return vertex.bsdf.sample(vertex.wo, random, Transport::Radiance);
   Vec3f wi;
   if (sampler.get1D(bounce, Purpose::Mixture) < plan.targetWeight) {
@@ -84,15 +95,14 @@ BsdfSample<float> scatterMixture(const PathPlan& plan, Queries& queries, const P
     if (!(target.pdf > 0.0f)) return {};
     wi = target.wi;
   } else {
-    const BsdfSample<float> scattered = scatter(plan.scatterPdf, vertex, random);
+    const BsdfSample<float> scattered = scatter(vertex, random);
     if (!(scattered.pdf > 0.0f)) return {};
     wi = scattered.wi;
   }
   const BsdfValue<float> f = vertex.bsdf.eval(vertex.wo, wi, Transport::Radiance);
   if (isBlack(f.value)) return {};
   const float targetPdf = (1.0f - vertex.diracProbability) * queries.targetPdf(*plan.targets, vertex.point, wi);
-  const float pdf =
-      plan.targetWeight * targetPdf + (1.0f - plan.targetWeight) * scatterDensity(plan.scatterPdf, vertex, wi, f.pdf);
+  const float pdf = plan.targetWeight * targetPdf + (1.0f - plan.targetWeight) * scatterDensity(vertex, wi, f.pdf);
   if (!(pdf > 0.0f)) return {};
   return {f.value / pdf, wi, pdf, kLobeDiffuse, 1.0f};
 }
@@ -104,9 +114,28 @@ F competingDensity(Strategy strategy, MaskOf<F> lightSampled, F pdf) {
   return select(lightSampled & (pdf != F(kDirac)), F(0.0f), F(kDirac));
 }
 
+/// The share of light that arrives at a vertex through its shadow ray.
+template <class Queries, class Vertex>
+Rgb visibility(Queries& queries, const Vertex& vertex, Ray<float> ray) {
+  const Volumes& volumes = queries.volumes();
+  if (!volumes.passable() && queries.occluded(ray)) return {};
+  if (volumes.empty()) return grey(1.0f);
+  Bodies bodies = *vertex.bodies;
+  if (vertex.surface != nullptr) volumes.scatter(*vertex.surface, vertex.wo, ray.direction, bodies);
+  LightWay way(ray);
+  if (!volumes.passable()) {
+    way.advance(volumes, {}, ray, bodies);
+  } else {
+    queries.countShadowRay();
+    while (way.advance(volumes, queries.surfacePoint(ray, queries.intersect(ray)), ray, bodies)) {
+    }
+  }
+  return way.transmittance();
+}
+
 /// Radiance that leaves the vertex towards wo, of light that arrives straight from the lights.
-template <class Queries>
-Rgb directLight(const PathPlan& plan, Queries& queries, const PathVertex& vertex, const Sampler<float>& sampler,
+template <class Queries, class Vertex>
+Rgb directLight(const PathPlan& plan, Queries& queries, const Vertex& vertex, const Sampler<float>& sampler,
                 std::uint32_t bounce) {
   const LightSet& lights = vertex.lightSampled ? *plan.lights : *plan.diracLights;
   Rgb sum{};
@@ -121,24 +150,44 @@ Rgb directLight(const PathPlan& plan, Queries& queries, const PathVertex& vertex
     if (!(light.pdf > 0.0f)) continue;
     const BsdfValue<float> f = vertex.bsdf.eval(vertex.wo, light.wi, Transport::Radiance);
     if (isBlack(f.value)) continue;
-    if (queries.occluded(spawnRay(vertex.point, light.wi, light.distance))) continue;
-    const float density = scatterDensity(plan.scatterPdf, vertex, light.wi, f.pdf);
+    const Rgb visible = visibility(queries, vertex, spawnRay(vertex.point, light.wi, light.distance));
+    if (isBlack(visible)) continue;
+    const float density = scatterDensity(vertex, light.wi, f.pdf);
     const float other = plan.strategy == Strategy::Mis ? density : 0.0f;
-    sum += f.value * light.weight * misWeight(count * light.pdf, other);
+    sum += f.value * light.weight * visible * misWeight(count * light.pdf, other);
   }
   return sum / count;
 }
 
 /// The vertex at a point of a surface; `bsdf` must outlive it.
-inline PathVertex vertexOf(const PathPlan& plan, const SurfacePoint<float>& surface, const Bsdf& bsdf, Vec3f wo,
-                           float time) {
+inline PathVertex<Bsdf> vertexOf(const PathPlan& plan, const SurfacePoint<float>& surface, const Bsdf& bsdf, Vec3f wo,
+                                 float time, const Bodies& bodies) {
   const bool lightSampled = plan.strategy != Strategy::Light || bsdf.samplesLights(wo);
   return {scatterPoint(surface, time),
           faceForward(bsdf.shadingNormal(), wo),
           wo,
           bsdf,
+          plan.scatterPdf,
           bsdf.diracProbability(wo),
-          lightSampled};
+          lightSampled,
+          &bodies,
+          &surface};
+}
+
+/// The vertex where a medium scatters; what must outlive it, likewise.
+inline PathVertex<Phase<float>> vertexOf(const Flight& flight, const Phase<float>& phase, Vec3f wo, float time,
+                                         const Bodies& bodies) {
+  return {{flight.position(), {}, {}, time}, wo, wo, phase, ScatterPdf::Bsdf, 0.0f, true, &bodies, nullptr};
+}
+
+/// What the path met first, where that is a medium.
+inline void setFirstHit(PixelSample& sample, const Flight& flight) {
+  const Medium& medium = *flight.scatteredBy();
+  sample.alpha = 1.0f;
+  const auto share = [](float part, float whole) { return whole > 0.0f ? part / whole : 0.0f; };
+  sample.albedo = {share(medium.scattering.r, medium.extinction.r), share(medium.scattering.g, medium.extinction.g),
+                   share(medium.scattering.b, medium.extinction.b)};
+  sample.depth = flight.distance();
 }
 
 /// The probability of going on (PathSettings::rouletteStrength); `refraction` is what refraction has divided the
@@ -149,42 +198,86 @@ F survivalProbability(float strength, const Spectrum<F>& throughput, F refractio
 }
 
 /// Where the path goes on from a vertex; pdf 0: nowhere.
-template <class Queries>
-BsdfSample<float> scatteredRay(const PathPlan& plan, Queries& queries, const PathVertex& vertex,
+template <class Queries, class Vertex>
+BsdfSample<float> scatteredRay(const PathPlan& plan, Queries& queries, const Vertex& vertex,
                                const Sampler<float>& sampler, std::uint32_t bounce) {
   // Continuous parts are one lobe each: only where there are Dirac lobes is there something to choose.
   const float lobe = vertex.diracProbability > 0.0f ? sampler.get1D(bounce, Purpose::BsdfLobe) : 0.0f;
   const BsdfRandom<float> random{lobe, sampler.get2D(bounce, Purpose::BsdfDirection)};
   if (plan.targetWeight > 0.0f) return scatterMixture(plan, queries, vertex, random, sampler, bounce);
-  return scatter(plan.scatterPdf, vertex, random);
+  return scatter(vertex, random);
+}
+
+/// The surface that a path's ray meets, if no medium scatters it before: then, and where there is none, it is not
+/// valid. `ray` ends as the last segment of the flight, `bodies` as what that is inside of.
+template <class Queries>
+SurfacePoint<float> fly(Queries& queries, Flight& flight, Ray<float>& ray, Bodies& bodies) {
+  for (;;) {
+    SurfacePoint<float> met = queries.surfacePoint(ray, queries.intersect(ray));
+    if (flight.advance(queries.volumes(), met, ray, bodies)) continue;
+    met.valid = met.valid && flight.scatteredBy() == nullptr;
+    if (met.valid) met.distance = flight.distance();
+    return met;
+  }
 }
 
 /// One path along `ray`: the radiance that arrives by it, and what it met first.
 template <class Queries>
 PixelSample tracePath(const PathPlan& plan, Queries& queries, Ray<float> ray, const Sampler<float>& sampler) {
+  const bool hasVolumes = !queries.volumes().empty();
   PixelSample result = kMiss;
   Rgb throughput = grey(1.0f);
   ScatterPoint<float> from{ray.origin, {}, {}, ray.time};
+  Bodies bodies;  // that the ray is inside of
+  if (hasVolumes) bodies = queries.bodiesAtStart(ray);
   float fromDensity = kDirac;  // competingDensity of ray.direction
   float refraction = 1.0f;
   const float lightSamples = static_cast<float>(plan.lightSamples);
   std::uint32_t bounce = 0;
   for (;; ++bounce) {
-    const Hit<float> hit = queries.intersect(ray);
-    const SurfacePoint<float> surface = queries.surfacePoint(ray, hit);
-    const Emission<float> emission = queries.emission(*plan.lights, from, ray, surface);
-    const float weight = emission.pdf > 0.0f ? misWeight(fromDensity, lightSamples * emission.pdf) : 1.0f;
-    result.radiance += throughput * emission.radiance * weight;
-    if (!hit.valid) break;
+    Flight flight;
+    SurfacePoint<float> surface;
+    if (hasVolumes) {
+      flight = Flight(throughput, sampler.get2D(bounce, Purpose::Phase));
+      surface = fly(queries, flight, ray, bodies);
+      result.radiance += throughput * flight.emitted();
+      throughput *= flight.weight();
+    } else {
+      surface = queries.surfacePoint(ray, queries.intersect(ray));
+    }
+    const bool inMedium = flight.scatteredBy() != nullptr;
+    if (!inMedium) {
+      const Emission<float> emission = queries.emission(*plan.lights, from, ray, surface);
+      const float weight = emission.pdf > 0.0f ? misWeight(fromDensity, lightSamples * emission.pdf) : 1.0f;
+      result.radiance += throughput * emission.radiance * weight;
+    }
+    if (!surface.valid && !inMedium) break;
+    if (hasVolumes && isBlack(throughput)) break;
+
+    // Direct light at a vertex, and where the path goes on from there.
+    const auto shade = [&](const auto& vertex) {
+      result.radiance += throughput * directLight(plan, queries, vertex, sampler, bounce);
+      const BsdfSample<float> next = scatteredRay(plan, queries, vertex, sampler, bounce);
+      if (!(next.pdf > 0.0f)) return next;
+      if (vertex.surface != nullptr) queries.volumes().scatter(surface, vertex.wo, next.wi, bodies);
+      ray = spawnRay(vertex.point, next.wi, kInfinity);
+      from = vertex.point;
+      fromDensity = competingDensity(plan.strategy, vertex.lightSampled, next.pdf);
+      return next;
+    };
     const Vec3f wo = -ray.direction;
-    const Bsdf bsdf = queries.bsdf(surface, wo);
-    if (bounce == 0) setFirstHit(result, surface, bsdf, wo);
-    if (bounce == plan.maxDepth) break;
-
-    const PathVertex vertex = vertexOf(plan, surface, bsdf, wo, ray.time);
-    result.radiance += throughput * directLight(plan, queries, vertex, sampler, bounce);
-
-    const BsdfSample<float> next = scatteredRay(plan, queries, vertex, sampler, bounce);
+    BsdfSample<float> next;
+    if (inMedium) {
+      if (bounce == 0) setFirstHit(result, flight);
+      if (bounce == plan.maxDepth) break;
+      const Phase<float> phase{flight.scatteredBy()->anisotropy};
+      next = shade(vertexOf(flight, phase, wo, ray.time, bodies));
+    } else {
+      const Bsdf bsdf = queries.bsdf(surface, wo, flight.outsideEta());
+      if (bounce == 0) setFirstHit(result, surface, bsdf, wo);
+      if (bounce == plan.maxDepth) break;
+      next = shade(vertexOf(plan, surface, bsdf, wo, ray.time, bodies));
+    }
     if (!(next.pdf > 0.0f)) break;
     throughput *= next.weight;
     refraction *= sqr(next.eta);
@@ -193,9 +286,6 @@ PixelSample tracePath(const PathPlan& plan, Queries& queries, Ray<float> ray, co
       if (!(sampler.get1D(bounce, Purpose::Roulette) < survival)) break;
       throughput *= 1.0f / survival;
     }
-    ray = spawnRay(vertex.point, next.wi, kInfinity);
-    from = vertex.point;
-    fromDensity = competingDensity(plan.strategy, vertex.lightSampled, next.pdf);
   }
   queries.countPath(bounce);
   return result;

@@ -11,6 +11,7 @@
 #include <span>
 
 #include "steradian/integrators/path_loop.h"
+#include "steradian/integrators/wide_flight.h"
 #include "steradian/integrators/wide_scene.h"
 
 namespace steradian {
@@ -89,6 +90,8 @@ class PathPacket {
         plan_(plan),
         samplerSettings_(job.samplerSettings),
         counts_(counts),
+        flight_(scene),
+        hasVolumes_(flight_.needed()),
         byLane_(plan.targetWeight > 0.0f || plan.scatterPdf != ScatterPdf::Bsdf) {}
 
   /// Traces the path of every sample; results[number] is its sample.
@@ -110,13 +113,41 @@ class PathPacket {
     MaterialTable::Parameters<F> material;
     F diracProbability{0.0f};
     Mask lightSampled{true};
+    // Where there are volumes:
+    const SurfacePoint<F>* surface = nullptr;
+    Mask inMedium{false};
+    F anisotropy{0.0f};
   };
+  /// A model on a surface.
+  template <class Model>
+  struct Shading {
+    const ShadingFrame<F>& frame;
+    const Model& model;
+
+    BsdfValue<F> eval(Vec3<F> wo, Vec3<F> wi, Transport t) const { return frame.eval(model, wo, wi, t); }
+    BsdfSample<F> sample(Vec3<F> wo, const BsdfRandom<F>& random, Transport t) const {
+      return frame.sample(model, wo, random, t);
+    }
+  };
+  /// Calls visit(scatterer, mask) for every kind of Shading and for Phase, if some active lane has it.
+  template <class Visit>
+  void forEachScatterer(const Vertex& vertex, Mask active, const Visit& visit) const {
+    if (hasVolumes_) {
+      const Mask mine = active & vertex.inMedium;
+      if (any(mine)) visit(Phase<F>{vertex.anisotropy}, mine);
+      active = active & !vertex.inMedium;
+    }
+    scene_.materials().forEachModel(vertex.material, active, [&](const auto& model, Mask mine) {
+      visit(Shading<std::decay_t<decltype(model)>>{vertex.frame, model}, mine);
+    });
+  }
 
   void start(int i, CameraSamples<F>& samples, std::span<PixelSample> results);
   void rebuildSampler() { sampler_.emplace(samplerSettings_, pixel_, sample_); }
   void step(CameraSamples<F>& samples, std::span<PixelSample> results);
-  void addEmission(const SurfacePoint<F>& surface);
+  void addEmission(const SurfacePoint<F>& surface, Mask arrived);
   Vertex vertexAt(const SurfacePoint<F>& surface, Mask hit, std::span<PixelSample> results);
+  [[gnu::noinline]] void addMedia(Vertex& vertex, Mask hit, std::span<PixelSample> results);
   Spectrum<F> directLight(const Vertex& vertex, Mask going);
   Spectrum<F> directLight(const LightSet& lights, const Vertex& vertex, Mask lit);
   BsdfSample<F> scatter(const Vertex& vertex, Mask going);
@@ -132,7 +163,10 @@ class PathPacket {
   const PathPlan& plan_;
   const SamplerSettings samplerSettings_;
   PathCounts& counts_;
+  WideFlight<F> flight_;
+  bool hasVolumes_;
   bool byLane_;
+  static constexpr std::uint32_t kDielectric = indexOfModel<Dielectric<float>>();
 
   // The state of each path, as in tracePath.
   Mask active_{false};
@@ -152,6 +186,7 @@ void PathPacket<F>::start(int i, CameraSamples<F>& samples, std::span<PixelSampl
   if (samples.empty()) return;
   const auto next = samples.take();
   setLane(ray_, i, next.ray);
+  if (hasVolumes_) flight_.start(i, next.ray);
   setLane(from_.position, i, next.ray.origin);
   setLane(from_.positionError, i, Vec3f{});
   setLane(from_.geometricNormal, i, Vec3f{});
@@ -169,10 +204,10 @@ void PathPacket<F>::start(int i, CameraSamples<F>& samples, std::span<PixelSampl
 }
 
 template <class F>
-void PathPacket<F>::addEmission(const SurfacePoint<F>& surface) {
+void PathPacket<F>::addEmission(const SurfacePoint<F>& surface, Mask arrived) {
   const float lightSamples = static_cast<float>(plan_.lightSamples);
   // Few lanes at a time: once per path at most, but for lights that one sees through glass.
-  forEachLane(scene_.findsLight(surface, active_), [&](int i) {
+  forEachLane(scene_.findsLight(surface, arrived), [&](int i) {
     const Emission<float> emission = plan_.lights->emission(lane(from_, i), lane(ray_, i), lane(surface, i));
     const float weight = emission.pdf > 0.0f ? misWeight(lane(fromDensity_, i), lightSamples * emission.pdf) : 1.0f;
     setLane(radiance_, i, lane(radiance_, i) + lane(throughput_, i) * emission.radiance * weight);
@@ -187,9 +222,14 @@ typename PathPacket<F>::Vertex PathPacket<F>::vertexAt(const SurfacePoint<F>& su
   Vertex vertex{scatterPoint(surface, ray_.time),
                 wo,
                 {surface.geometricNormal, shadingNormal},
-                scene_.materials().parameters(surface, hit),
+                scene_.materials().parameters(surface, hit & surface.valid),
                 F(0.0f),
-                Mask(true)};
+                Mask(true),
+                &surface};
+  if (hasVolumes_) {
+    addMedia(vertex, hit, results);
+    hit = hit & !vertex.inMedium;
+  }
   const Mask first = hit & (bounce_ == Uint(0u));
   const Vec3<F> localWo = vertex.frame.toLocal(wo);
   Spectrum<F> albedo;
@@ -213,6 +253,26 @@ typename PathPacket<F>::Vertex PathPacket<F>::vertexAt(const SurfacePoint<F>& su
   return vertex;
 }
 
+/// What media make of the vertices: places where they scatter, and the index around dielectrics.
+template <class F>
+void PathPacket<F>::addMedia(Vertex& vertex, Mask hit, std::span<PixelSample> results) {
+  vertex.inMedium = flight_.inMedium();
+  forEachLane(hit, [&](int i) {
+    const Flight& flight = flight_.flight(i);
+    if (!lane(vertex.inMedium, i)) {
+      if (lane(vertex.material.model, i) == kDielectric) {
+        setLane(vertex.material.eta, i, lane(vertex.material.eta, i) / flight.outsideEta());
+      }
+      return;
+    }
+    setLane(vertex.point.position, i, flight.position());
+    setLane(vertex.point.positionError, i, Vec3f{});
+    setLane(vertex.point.geometricNormal, i, Vec3f{});
+    setLane(vertex.anisotropy, i, flight.scatteredBy()->anisotropy);
+    if (lane(bounce_, i) == 0) setFirstHit(results[number_[static_cast<std::size_t>(i)]], flight);
+  });
+}
+
 template <class F>
 Spectrum<F> PathPacket<F>::directLight(const Vertex& vertex, Mask going) {
   const Mask lit = going & (vertex.diracProbability < F(1.0f));
@@ -233,18 +293,24 @@ Spectrum<F> PathPacket<F>::directLight(const LightSet& lights, const Vertex& ver
         lights.sample(vertex.point, LightRandom<F>{choice, sampler_->get2D(own, Purpose::LightPosition)}, lit);
     Mask sampled = lit & (light.pdf > F(0.0f));
     BsdfValue<F> f;
-    scene_.materials().forEachModel(vertex.material, sampled, [&](const auto& model, Mask mine) {
-      const BsdfValue<F> v = vertex.frame.eval(model, vertex.wo, light.wi, Transport::Radiance);
+    forEachScatterer(vertex, sampled, [&](const auto& scatterer, Mask mine) {
+      const BsdfValue<F> v = scatterer.eval(vertex.wo, light.wi, Transport::Radiance);
       f.value = select(mine, v.value, f.value);
       f.pdf = select(mine, v.pdf, f.pdf);
     });
     sampled = sampled & !isBlack(f.value);
     if (!any(sampled)) continue;
     counts_.shadowRays += static_cast<std::uint64_t>(std::popcount(laneBits(sampled)));
-    const Mask visible = sampled & !scene_.occluded(spawnRay(vertex.point, light.wi, light.distance), sampled);
+    const Ray<F> shadow = spawnRay(vertex.point, light.wi, light.distance);
     const F other = plan_.strategy == Strategy::Mis ? f.pdf : F(0.0f);
-    const Spectrum<F> found = f.value * light.weight * misWeight(count * light.pdf, other);
-    sum += select(visible, found, Spectrum<F>{});
+    const F weight = misWeight(count * light.pdf, other);
+    if (hasVolumes_) {
+      const Spectrum<F> visible = flight_.transmittance(*vertex.surface, vertex.wo, shadow, sampled);
+      sum += select(sampled & !isBlack(visible), f.value * light.weight * visible * weight, Spectrum<F>{});
+    } else {
+      const Mask visible = sampled & !scene_.occluded(shadow, sampled);
+      sum += select(visible, f.value * light.weight * weight, Spectrum<F>{});
+    }
   }
   return sum / count;
 }
@@ -256,8 +322,8 @@ BsdfSample<F> PathPacket<F>::scatter(const Vertex& vertex, Mask going) {
   if (any(choosing)) lobe = select(choosing, sampler_->get1D(bounce_, Purpose::BsdfLobe), lobe);
   const BsdfRandom<F> random{lobe, sampler_->get2D(bounce_, Purpose::BsdfDirection)};
   BsdfSample<F> sample;
-  scene_.materials().forEachModel(vertex.material, going, [&](const auto& model, Mask mine) {
-    const BsdfSample<F> s = vertex.frame.sample(model, vertex.wo, random, Transport::Radiance);
+  forEachScatterer(vertex, going, [&](const auto& scatterer, Mask mine) {
+    const BsdfSample<F> s = scatterer.sample(vertex.wo, random, Transport::Radiance);
     sample.weight = select(mine, s.weight, sample.weight);
     sample.wi = select(mine, s.wi, sample.wi);
     sample.pdf = select(mine, s.pdf, sample.pdf);
@@ -273,26 +339,43 @@ BsdfSample<F> PathPacket<F>::shadeByLane(const SurfacePoint<F>& surface, Mask go
   forEachLane(going, [&](int i) {
     const SurfacePoint<float> point = lane(surface, i);
     const Vec3f wo = -lane(ray_.direction, i);
-    const Bsdf bsdf = scene_.scene().materials().bsdf(point, wo);
-    const PathVertex vertex = vertexOf(plan_, point, bsdf, wo, lane(ray_.time, i));
+    const float time = lane(ray_.time, i);
     const Sampler<float> sampler(samplerSettings_, lane(pixel_, i), lane(sample_, i));
     const std::uint32_t bounce = lane(bounce_, i);
-    const Rgb light = steradian::directLight(plan_, queries, vertex, sampler, bounce);
-    setLane(radiance_, i, lane(radiance_, i) + lane(throughput_, i) * light);
-    const BsdfSample<float> next = scatteredRay(plan_, queries, vertex, sampler, bounce);
-    setLane(samples.weight, i, next.weight);
-    setLane(samples.wi, i, next.wi);
-    setLane(samples.pdf, i, next.pdf);
-    setLane(samples.eta, i, next.eta);
+    const auto shade = [&](const auto& vertex) {
+      const Rgb light = steradian::directLight(plan_, queries, vertex, sampler, bounce);
+      setLane(radiance_, i, lane(radiance_, i) + lane(throughput_, i) * light);
+      const BsdfSample<float> next = scatteredRay(plan_, queries, vertex, sampler, bounce);
+      setLane(samples.weight, i, next.weight);
+      setLane(samples.wi, i, next.wi);
+      setLane(samples.pdf, i, next.pdf);
+      setLane(samples.eta, i, next.eta);
+    };
+    const Flight& flight = flight_.flight(i);
+    if (flight.scatteredBy() != nullptr) {
+      const Phase<float> phase{flight.scatteredBy()->anisotropy};
+      shade(vertexOf(flight, phase, wo, time, flight_.bodies(i)));
+    } else {
+      const Bsdf bsdf = scene_.scene().materials().bsdf(point, wo, flight.outsideEta());
+      shade(vertexOf(plan_, point, bsdf, wo, time, flight_.bodies(i)));
+    }
   });
   return samples;
 }
 
 template <class F>
 void PathPacket<F>::step(CameraSamples<F>& samples, std::span<PixelSample> results) {
-  const SurfacePoint<F> surface = scene_.intersect(ray_, active_);
-  addEmission(surface);
-  const Mask hit = active_ & surface.valid;
+  SurfacePoint<F> surface;
+  Mask hit, arrived = active_;
+  if (hasVolumes_) {
+    surface = flight_.fly(ray_, active_, sampler_->get2D(bounce_, Purpose::Phase), throughput_, radiance_);
+    arrived = active_ & !flight_.inMedium();
+    hit = active_ & (surface.valid | flight_.inMedium()) & !isBlack(throughput_);
+  } else {
+    surface = scene_.intersect(ray_, active_);
+    hit = active_ & surface.valid;
+  }
+  addEmission(surface, arrived);
   const Vertex vertex = vertexAt(surface, hit, results);
   Mask going = hit & (bounce_ != Uint(plan_.maxDepth));
 
@@ -314,6 +397,7 @@ void PathPacket<F>::step(CameraSamples<F>& samples, std::span<PixelSample> resul
     throughput_ = select(atStake, throughput_ * (F(1.0f) / survival), throughput_);
   }
 
+  if (hasVolumes_) flight_.scatter(surface, vertex.wo, next.wi, going);
   const Mask ended = active_ & !going;
   ray_ = spawnRay(vertex.point, next.wi, F(kInfinity));
   from_ = vertex.point;

@@ -1,5 +1,9 @@
 #include "steradian/integrators/scene.h"
 
+#include <algorithm>
+#include <vector>
+
+#include "steradian/integrators/flight.h"
 #include "steradian/integrators/scene_hash.h"
 
 namespace steradian {
@@ -10,6 +14,15 @@ std::shared_ptr<const SceneDescription> validated(SceneDescription description) 
   return std::make_shared<const SceneDescription>(std::move(description));
 }
 
+bool bodiesMove(const SceneDescription& scene) {
+  for (const ShapeDescription& shape : scene.shapes) {
+    const auto* spheres = std::get_if<SphereSet>(&shape.geometry);
+    if (shape.interior && (shape.motion || (spheres != nullptr && !spheres->moveX.empty()))) return true;
+  }
+  return std::any_of(scene.instances.begin(), scene.instances.end(),
+                     [](const InstanceSet& set) { return !set.closing.empty(); });
+}
+
 }  // namespace
 
 Scene::Scene(SceneDescription description, const SceneSettings& settings)
@@ -17,6 +30,59 @@ Scene::Scene(SceneDescription description, const SceneSettings& settings)
       hash_(sceneHash(*description_)),
       geometry_(description_, settings.geometry),
       materials_(*description_),
-      lights_(*description_, geometry_.bounds(), settings.lights) {}
+      lights_(*description_, geometry_.bounds(), settings.lights),
+      volumes_(*description_) {
+  if (volumes_.empty()) return;
+  cameraMoves_ = std::holds_alternative<OrthographicCamera>(description_->camera) || bodiesMove(*description_);
+  const Vec3f camera = std::visit([](const auto& c) { return c.lookFrom; }, description_->camera);
+  if (!cameraMoves_) cameraBodies_ = bodiesAt(camera, 0.0f);
+}
+
+Scene::FirstSurface Scene::firstSurface(Ray<float> ray, const Bodies& bodies) const {
+  FirstSurface first{{}, 1.0f, bodies};
+  const Vec3f start = ray.origin;
+  const float length = ray.tMax;
+  for (std::uint32_t i = 0; i < kMostCrossings && ray.tMax > 0.0f; ++i) {
+    first.point = geometry_.surfacePoint(ray, geometry_.intersect(ray));
+    if (!first.point.valid) return first;
+    const Boundary boundary = volumes_.boundary(first.point, ray.direction, first.bodies);
+    first.outsideEta = boundary.outsideEta;
+    if (i > 0) first.point.distance += dot(ray.origin - start, ray.direction);
+    if (boundary.isReal) return first;
+    volumes_.cross(first.point, ray.direction, first.bodies);
+    ray = spawnRay(scatterPoint(first.point, ray.time), ray.direction, kInfinity);
+    ray.tMax = length - dot(ray.origin - start, ray.direction);
+  }
+  first.point = {};
+  return first;
+}
+
+Bodies Scene::bodiesAt(Vec3f position, float time) const {
+  std::vector<SurfacePoint<float>> entered, left;
+  const auto isSameBody = [&](const SurfacePoint<float>& a, const SurfacePoint<float>& b) {
+    return volumes_.isSameBody(a, b);
+  };
+  // Any direction will do; this one is along no wall that people build.
+  Ray<float> ray{position, normalize(Vec3f{0.2718f, 0.8642f, 0.4235f}), kInfinity, time};
+  for (std::uint32_t i = 0; i < kMostCrossings; ++i) {
+    const Hit<float> hit = geometry_.intersect(ray);
+    if (!hit.valid) break;
+    const SurfacePoint<float> at = geometry_.surfacePoint(ray, hit);
+    if (volumes_.isClosed(at.shape)) {
+      const auto same = std::find_if(entered.begin(), entered.end(), [&](const auto& e) { return isSameBody(e, at); });
+      if (dot(ray.direction, at.geometricNormal) < 0.0f) {
+        entered.push_back(at);
+      } else if (same != entered.end()) {
+        entered.erase(same);
+      } else {
+        left.push_back(at);
+      }
+    }
+    ray = spawnRay(scatterPoint(at, time), ray.direction, kInfinity);
+  }
+  Bodies bodies;
+  for (auto at = left.rbegin(); at != left.rend(); ++at) volumes_.cross(*at, -at->geometricNormal, bodies);
+  return bodies;
+}
 
 }  // namespace steradian

@@ -6,6 +6,7 @@
 #include "steradian/accel/geometry.h"
 #include "steradian/core/description.h"
 #include "steradian/core/ray_offset.h"
+#include "steradian/integrators/volumes.h"
 #include "steradian/lights/light_set.h"
 #include "steradian/materials/material_set.h"
 
@@ -30,6 +31,23 @@ class Scene {
   const Geometry& geometry() const { return geometry_; }
   const MaterialSet& materials() const { return materials_; }
   const LightSet& lights() const { return lights_; }
+  const Volumes& volumes() const { return volumes_; }
+  /// The closed shapes that a camera ray starts in. (Those that the camera is in; a lens is taken to be in them with
+  /// its whole area.)
+  Bodies bodiesAtStart(const Ray<float>& cameraRay) const {
+    return cameraMoves_ ? bodiesAt(cameraRay.origin, cameraRay.time) : cameraBodies_;
+  }
+  /// The closed shapes that a point is inside of, by what a ray from there to infinity leaves without having entered
+  /// it; those that it leaves first were entered last.
+  Bodies bodiesAt(Vec3f position, float time) const;
+
+  struct FirstSurface {
+    SurfacePoint<float> point;  ///< its distance is that from the origin of the ray asked for
+    float outsideEta = 1.0f;    ///< see Boundary
+    Bodies bodies;              ///< that the ray is inside of where it arrives
+  };
+  /// The first surface that is one to a ray that starts inside of `bodies`; media are left aside.
+  FirstSurface firstSurface(Ray<float> ray, const Bodies& bodies) const;
   /// See scene_hash.h.
   std::uint64_t hash() const { return hash_; }
 
@@ -39,6 +57,9 @@ class Scene {
   Geometry geometry_;
   MaterialSet materials_;
   LightSet lights_;
+  Volumes volumes_;
+  bool cameraMoves_ = false;  ///< camera rays may start in different bodies
+  Bodies cameraBodies_;
 };
 
 /// The point of a surface, as somewhere to gather light at.

@@ -1,5 +1,6 @@
 #pragma once
 /// What the path loop asks of a scene.
+#include "steradian/integrators/flight.h"
 #include "steradian/integrators/render_statistics.h"
 #include "steradian/integrators/scene.h"
 #include "steradian/lights/target_set.h"
@@ -15,13 +16,19 @@ class SceneQueries {
 
   Hit<float> intersect(const Ray<float>& ray) { return scene_.geometry().intersect(ray); }
   bool occluded(const Ray<float>& ray) {
-    ++counts_.shadowRays;
+    countShadowRay();
     return scene_.geometry().occluded(ray);
   }
+  void countShadowRay() { ++counts_.shadowRays; }
+  const Volumes& volumes() const { return scene_.volumes(); }
+  Bodies bodiesAtStart(const Ray<float>& cameraRay) const { return scene_.bodiesAtStart(cameraRay); }
   SurfacePoint<float> surfacePoint(const Ray<float>& ray, const Hit<float>& hit) const {
     return scene_.geometry().surfacePoint(ray, hit);
   }
-  Bsdf bsdf(const SurfacePoint<float>& point, Vec3f wo) const { return scene_.materials().bsdf(point, wo); }
+  /// `outsideEta`: see Boundary.
+  Bsdf bsdf(const SurfacePoint<float>& point, Vec3f wo, float outsideEta) const {
+    return scene_.materials().bsdf(point, wo, outsideEta);
+  }
 
   LightSample<float> sampleLight(const LightSet& lights, const ScatterPoint<float>& from,
                                  LightRandom<float> random) const {

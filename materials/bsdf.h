@@ -1,5 +1,8 @@
 #pragma once
 /// How a surface scatters at one point: a closed variant of the models, in world space, at width 1.
+#include <cstdint>
+#include <type_traits>
+#include <utility>
 #include <variant>
 
 #include "steradian/materials/absorber.h"
@@ -61,6 +64,16 @@ class Bsdf {
   Model model_;
   ShadingFrame<float> frame_;
 };
+
+/// The index of a model in Bsdf::Model.
+template <class Model>
+constexpr std::uint32_t indexOfModel() {
+  return []<std::size_t... i>(std::index_sequence<i...>) {
+    return static_cast<std::uint32_t>(
+        ((std::is_same_v<Model, std::variant_alternative_t<i, Bsdf::Model>> ? i : 0) + ...));
+  }
+  (std::make_index_sequence<std::variant_size_v<Bsdf::Model>>{});
+}
 
 // In the header: the path loop calls these per bounce, and is compiled for the models it meets.
 

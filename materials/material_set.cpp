@@ -46,13 +46,14 @@ MaterialSet::MaterialSet(const SceneDescription& scene) : textures_(scene.textur
   }
 }
 
-Bsdf MaterialSet::bsdf(const SurfacePoint<float>& at, Vec3f wo) const {
+Bsdf MaterialSet::bsdf(const SurfacePoint<float>& at, Vec3f wo, float outsideEta) const {
   const Vec3f shadingNormal = usableShadingNormal(at.geometricNormal, at.shadingNormal, wo);
   if (at.material >= entries_.size()) return {Absorber<float>{}, at.geometricNormal, shadingNormal};
   const Entry& entry = entries_[at.material];
-  if (entry.texture == kNone) return {entry.model, at.geometricNormal, shadingNormal};
+  if (entry.texture == kNone && outsideEta == 1.0f) return {entry.model, at.geometricNormal, shadingNormal};
   Bsdf::Model model = entry.model;
-  setReflectance(model, textures_.value(entry.texture, at));
+  if (entry.texture != kNone) setReflectance(model, textures_.value(entry.texture, at));
+  if (auto* dielectric = std::get_if<Dielectric<float>>(&model)) dielectric->eta /= outsideEta;
   return {model, at.geometricNormal, shadingNormal};
 }
 

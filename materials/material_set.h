@@ -14,8 +14,9 @@ class MaterialSet {
   explicit MaterialSet(const SceneDescription& scene);
 
   /// Textures are resolved here. `wo` decides the frame only where the shading normal, but not the geometric one, turns
-  /// away from it: there the geometric normal is used for both. A point without material absorbs.
-  Bsdf bsdf(const SurfacePoint<float>& at, Vec3f wo) const;
+  /// away from it: there the geometric normal is used for both. A point without material absorbs. A dielectric's index
+  /// is relative to `outsideEta`.
+  Bsdf bsdf(const SurfacePoint<float>& at, Vec3f wo, float outsideEta = 1.0f) const;
 
   std::size_t size() const { return entries_.size(); }
   /// The model of a material, with its colour if that is constant.

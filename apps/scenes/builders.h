@@ -16,9 +16,14 @@ SceneDescription simpleLight();
 
 // cornell.cpp: the Cornell boxes of "The Next Week" and "The Rest of Your Life"
 SceneDescription cornellOriginal();
+SceneDescription cornellSmoke();
 SceneDescription cornellBox();
 SceneDescription cornellAluminium();
 SceneDescription cornellGlassSphere();
+
+// nested_glass.cpp, door_crack.cpp
+SceneDescription nestedGlass();
+SceneDescription doorCrack();
 
 // generated.cpp
 /// N boxes on the floor of the Cornell room, one to a cell of a square grid.

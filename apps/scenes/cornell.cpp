@@ -82,6 +82,22 @@ SceneDescription cornellOriginal() {
   return scene;
 }
 
+SceneDescription cornellSmoke() {
+  SceneDescription scene;
+  addCornellWalls(scene);
+  const Id black = scene.addMaterial("light", AbsorberMaterial{});
+  const Id light = addQuad(scene, "light", {113.0f, 554.0f, 127.0f}, {330.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 305.0f}, black);
+  scene.setEmission(light, {{7.0f, 7.0f, 7.0f}, true});
+  const Id boundary = scene.addMaterial("boundary", InterfaceMaterial{});
+  const Id smoke = scene.addMedium({.name = "smoke", .absorption = grey(0.01f)});
+  const Id fog = scene.addMedium({.name = "fog", .scattering = grey(0.01f)});
+  scene.shapes[addTallBox(scene, boundary)].interior = Interior{smoke};
+  scene.shapes[addShortBox(scene, boundary)].interior = Interior{fog};
+  scene.camera = cornellCamera();
+  scene.defaults = {.width = 600, .height = 600, .samplesPerPixel = 200, .maxDepth = 49};
+  return scene;
+}
+
 SceneDescription cornellBox() {
   SceneDescription scene = emptyCornellRoom(64);
   addTallBox(scene, whiteOf(scene));

@@ -20,22 +20,23 @@ std::vector<Bsdf> bsdfs() {
 }
 
 /// The origin of a plane that faces up, seen at an angle.
-PathVertex vertexOn(const Bsdf& bsdf) {
+PathVertex<Bsdf> vertexOn(const Bsdf& bsdf, ScatterPdf kind = ScatterPdf::Bsdf) {
+  static const Bodies none;
   const Vec3f wo = normalize(Vec3f{0.9f, 0.0f, 0.3f});
-  return {{{}, {}, kUp}, kUp, wo, bsdf, bsdf.diracProbability(wo), true};
+  return {{{}, {}, kUp}, kUp, wo, bsdf, kind, bsdf.diracProbability(wo), true, &none, nullptr};
 }
 
 TEST(PathLoop, ScatterDensitiesIntegrateToTheShareOfContinuousLobes) {
   for (const Bsdf& bsdf : bsdfs()) {
-    const PathVertex vertex = vertexOn(bsdf);
     for (const ScatterPdf kind : kKinds) {
+      const PathVertex vertex = vertexOn(bsdf, kind);
       double sum = 0.0;
       constexpr int n = 200;
       for (int i = 0; i < n * n; ++i) {
         const Vec2f u{(static_cast<float>(i % n) + 0.5f) / n, (static_cast<float>(i / n) + 0.5f) / n};
         const Vec3f wi = UniformSphere<float>::sample(u);
         const float bsdfPdf = bsdf.eval(vertex.wo, wi, Transport::Radiance).pdf;
-        sum += static_cast<double>(scatterDensity(kind, vertex, wi, bsdfPdf)) / (n * n);
+        sum += static_cast<double>(scatterDensity(vertex, wi, bsdfPdf)) / (n * n);
       }
       EXPECT_NEAR(sum * 12.566370614, 1.0 - static_cast<double>(vertex.diracProbability), 1e-4);
     }
@@ -44,15 +45,15 @@ TEST(PathLoop, ScatterDensitiesIntegrateToTheShareOfContinuousLobes) {
 
 TEST(PathLoop, ScatteredDirectionsHaveTheirDensity) {
   for (const Bsdf& bsdf : bsdfs()) {
-    const PathVertex vertex = vertexOn(bsdf);
     for (const ScatterPdf kind : kKinds) {
+      const PathVertex vertex = vertexOn(bsdf, kind);
       for (std::uint32_t i = 0; i < 100; ++i) {
         const auto w = randomWords<std::uint32_t>(i, 1u, 2u, 3u);
         const BsdfRandom<float> random{kOneMinusEpsilon, {toUnitFloat<float>(w[0]), toUnitFloat<float>(w[1])}};
-        const BsdfSample<float> s = scatter(kind, vertex, random);
+        const BsdfSample<float> s = scatter(vertex, random);
         if (s.pdf == 0.0f) continue;
         const BsdfValue<float> f = bsdf.eval(vertex.wo, s.wi, Transport::Radiance);
-        EXPECT_FLOAT_EQ(s.pdf, scatterDensity(kind, vertex, s.wi, f.pdf));
+        EXPECT_FLOAT_EQ(s.pdf, scatterDensity(vertex, s.wi, f.pdf));
         EXPECT_NEAR(s.weight.g * s.pdf, f.value.g, 1e-5f * f.value.g);
       }
     }
@@ -70,6 +71,13 @@ struct OneLight {
     return light;
   }
   bool occluded(const Ray<float>&) const { return shadow; }
+  void countShadowRay() const {}
+  const Volumes& volumes() const {
+    static const Volumes none{SceneDescription{}};
+    return none;
+  }
+  Hit<float> intersect(const Ray<float>&) const { return {}; }
+  SurfacePoint<float> surfacePoint(const Ray<float>&, const Hit<float>&) const { return {}; }
 };
 
 class PathLoopWithPlan : public testing::Test {
@@ -94,13 +102,13 @@ class PathLoopWithPlan : public testing::Test {
 
 TEST_F(PathLoopWithPlan, WeightsOfLightSamplesAndOfHitsAddUpToOne) {
   for (const Bsdf& bsdf : bsdfs()) {
-    const PathVertex vertex = vertexOn(bsdf);
-    const BsdfValue<float> f = bsdf.eval(vertex.wo, wi_, Transport::Radiance);
     for (const ScatterPdf kind : kKinds) {
+      const PathVertex vertex = vertexOn(bsdf, kind);
+      const BsdfValue<float> f = bsdf.eval(vertex.wo, wi_, Transport::Radiance);
       for (const std::uint32_t count : {1u, 3u}) {
         OneLight queries{{grey(2.0f), wi_, 1.0f, 0.1f}};
         const Rgb found = directLight(plan(kind, count), queries, vertex, sampler_, 0u);
-        const float scattering = competingDensity(Strategy::Mis, true, scatterDensity(kind, vertex, wi_, f.pdf));
+        const float scattering = competingDensity(Strategy::Mis, true, scatterDensity(vertex, wi_, f.pdf));
         const float hit = misWeight(scattering, static_cast<float>(count) * queries.light.pdf);
         EXPECT_NEAR(found.g / (2.0f * f.value.g) + hit, 1.0f, 1e-6f) << count;
         queries.shadow = true;
@@ -135,8 +143,8 @@ TEST_F(PathLoopWithPlan, MixturesHaveTheDensityTheyTell) {
   const TargetSet targets(test::room());
   TargetsEverywhere queries;
   for (const Bsdf& bsdf : bsdfs()) {
-    const PathVertex vertex = vertexOn(bsdf);
     for (const ScatterPdf kind : kKinds) {
+      const PathVertex vertex = vertexOn(bsdf, kind);
       PathPlan mixture = plan(kind, 1);
       mixture.targets = &targets;
       mixture.targetWeight = 0.7f;
