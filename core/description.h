@@ -103,7 +103,7 @@ struct MaterialDescription {
 /// A homogeneous medium. What a ray loses per metre is absorption + scattering; what is scattered goes on about its old
 /// direction as Henyey and Greenstein have it.
 struct MediumDescription {
-  std::string name;
+  std::string name{};
   Rgb absorption{}, scattering{};  ///< 1/m
   Rgb emission{};                  ///< W sr^-1 m^-3: the radiance that a ray gains per metre
   float anisotropy = 0.0f;         ///< mean cosine of the scattering angle, in (-1, 1)
@@ -123,7 +123,7 @@ struct Interior {
 /// Spheres by centre and radius (> 0).
 struct SphereSet {
   std::vector<float> centerX, centerY, centerZ, radius;
-  std::vector<float> moveX, moveY, moveZ;  ///< how far the centre moves from time 0 to time 1; or none move
+  std::vector<float> moveX{}, moveY{}, moveZ{};  ///< how far the centre moves from time 0 to time 1; or none move
 
   void add(Vec3f center, float sphereRadius);
   /// From one centre to the other while the shutter is open. Sets may mix both kinds.

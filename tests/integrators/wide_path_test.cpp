@@ -65,6 +65,22 @@ SceneDescription openScene() {
   return s;
 }
 
+/// Media of every kind, and bodies within one another.
+SceneDescription smokyScene() {
+  SceneDescription s = everythingRoom();
+  const Id air = s.addMaterial("air", InterfaceMaterial{});
+  s.shapes[test::addBox(s, {0.0f, 0.4f, 0.0f}, {0.6f, 0.3f, 0.6f}, 20.0f, air)].interior = Interior{s.addMedium(
+      {.name = "smoke", .absorption = {0.5f, 1.0f, 0.2f}, .scattering = {2.0f, 1.0f, 4.0f}, .anisotropy = 0.4f})};
+  s.shapes[test::addSphere(s, {0.1f, 0.3f, 0.0f}, 0.3f, air)].interior =
+      Interior{s.addMedium({.name = "fire", .absorption = grey(1.0f), .emission = {2.0f, 1.0f, 0.3f}}), 1};
+  const Id glass = s.addMaterial("nested", DielectricMaterial{1.4f, false});
+  s.shapes[test::addSphere(s, {-0.3f, 0.0f, 0.5f}, 0.25f, glass)].interior = Interior{kNone, 2};
+  const Id water = s.addMaterial("water", DielectricMaterial{1.3f, true});
+  s.shapes[test::addSphere(s, {-0.1f, 0.0f, 0.5f}, 0.25f, water)].interior =
+      Interior{s.addMedium({.name = "milk", .scattering = grey(3.0f), .anisotropy = -0.2f}), 1};
+  return s;
+}
+
 struct Rendered {
   std::vector<float> values;
   PathCounts counts;
@@ -97,11 +113,12 @@ void expectEqualWidths(const Scene& scene, const std::string& integrator, const 
 }
 
 TEST(WidePath, EqualsWidthOneForEveryStrategy) {
-  const Scene plain(plainRoom(), kFlat), textured(everythingRoom()), open(openScene());
+  const Scene plain(plainRoom(), kFlat), textured(everythingRoom()), open(openScene()), smoky(smokyScene(), kFlat);
   ASSERT_NE(plain.geometry().flat(), nullptr);
   for (const char* strategy : {"bsdf", "light", "mis", "mixture"}) {
     const std::string integrator = std::string("path:strategy=") + strategy;
-    for (const Scene* scene : {&plain, &textured, &open}) expectEqualWidths(*scene, integrator, settingsOf(13, 11, 8));
+    for (const Scene* scene : {&plain, &textured, &open, &smoky})
+      expectEqualWidths(*scene, integrator, settingsOf(13, 11, 8));
   }
 }
 
@@ -114,6 +131,15 @@ TEST(WidePath, EqualsWidthOneForEverySetting) {
         "path:strategy=mixture:targets=lights:target-weight=0.3"}) {
     expectEqualWidths(scene, integrator, settingsOf(7, 9, 6));
   }
+}
+
+TEST(WidePath, EqualsWidthOneInMedia) {
+  SceneDescription fog = openScene();
+  fog.outside = fog.addMedium({.name = "fog", .scattering = {0.1f, 0.2f, 0.3f}});
+  for (const SceneDescription& description : {smokyScene(), makeScene("nested-glass")}) {
+    expectEqualWidths(Scene(description), "path:light-samples=2", settingsOf(9, 9, 4));
+  }
+  expectEqualWidths(Scene(fog), "path", settingsOf(9, 9, 4));
 }
 
 TEST(WidePath, EqualsWidthOneForEverySamplerFilterAndCrop) {
@@ -142,9 +168,10 @@ TEST(WidePath, IsTheSameForEveryInstructionSet) {
   const auto scene = [](int which) {
     if (which == 0) return plainRoom();
     if (which == 1) return everythingRoom();
-    return which == 2 ? openScene() : makeScene(which == 3 ? "one-weekend" : "cornell-tower:3");
+    if (which == 2) return openScene();
+    return which == 3 ? smokyScene() : makeScene(which == 4 ? "one-weekend" : "cornell-tower:3");
   };
-  for (const int which : {0, 1, 2, 3, 4}) {
+  for (const int which : {0, 1, 2, 3, 4, 5}) {
     const auto rendered = [&](Isa isa, const char* width) {
       const SceneSettings settings{.geometry = {.directClusters = which == 0 ? 64u : 4u, .isa = isa}, .lights = {}};
       return renderWith(Scene(scene(which), settings), std::string("path:width=") + width, settingsOf(13, 11, 4));
