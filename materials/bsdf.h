@@ -12,6 +12,7 @@
 #include "steradian/materials/lambert.h"
 #include "steradian/materials/mirror.h"
 #include "steradian/materials/shading_frame.h"
+#include "steradian/materials/uniform_diffuse.h"
 
 namespace steradian {
 
@@ -33,8 +34,8 @@ MaskOf<F> samplesLights(const Model& model, Vec3<F> localWo) {
 /// Directions and sides as in ShadingFrame.
 class Bsdf {
  public:
-  using Model =
-      std::variant<Absorber<float>, Lambert<float>, Mirror<float>, FuzzyMetal<float>, Dielectric<float>, Coated<float>>;
+  using Model = std::variant<Absorber<float>, Lambert<float>, Mirror<float>, FuzzyMetal<float>, Dielectric<float>,
+                             Coated<float>, UniformDiffuse<float>>;
 
   /// Both normals are unit and outward. A model takes the shading normal for its z axis.
   Bsdf(const Model& model, Vec3f geometricNormal, Vec3f shadingNormal)

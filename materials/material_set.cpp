@@ -12,6 +12,7 @@ struct Compiled {
 
 Compiled compile(const MaterialModel& material) {
   if (const auto* m = std::get_if<LambertMaterial>(&material)) return {Lambert<float>{}, m->reflectance};
+  if (const auto* m = std::get_if<UniformDiffuseMaterial>(&material)) return {UniformDiffuse<float>{}, m->reflectance};
   if (const auto* m = std::get_if<MetalMaterial>(&material)) {
     if (m->fuzz < FuzzyMetal<float>::minFuzz) return {Mirror<float>{}, m->reflectance};
     return {FuzzyMetal<float>{{}, minimum(m->fuzz, 1.0f)}, m->reflectance};

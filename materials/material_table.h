@@ -99,6 +99,10 @@ template <class F, class P>
 Coated<F> makeModel(const P& p, std::type_identity<Coated<float>>) {
   return {p.reflectance, p.eta, p.internalReflectance};
 }
+template <class F, class P>
+UniformDiffuse<F> makeModel(const P& p, std::type_identity<UniformDiffuse<float>>) {
+  return {p.reflectance};
+}
 }  // namespace detail
 
 template <class F, std::size_t index, class Visit>

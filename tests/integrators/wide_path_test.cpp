@@ -38,7 +38,7 @@ SceneDescription everythingRoom() {
   TriangleMesh mesh;
   mesh.positions = {{-0.9f, 0.5f, -0.5f}, {-0.4f, 0.5f, -0.5f}, {-0.6f, 0.9f, -0.3f}, {-0.2f, 0.9f, -0.7f}};
   mesh.indices = {0, 1, 2, 2, 1, 3};
-  s.addShape("mesh", mesh, coat);
+  s.addShape("mesh", mesh, s.addMaterial("uniform", UniformDiffuseMaterial{brown}));
   s.addLight("bulb", PointLight{{0.0f, 0.2f, 0.8f}, grey(0.3f)});
   s.addLight("spot", SpotLight{{0.5f, 0.8f, 0.5f}, {-0.5f, -1.0f, -0.3f}, grey(0.5f), 20.0f, 35.0f});
   return s;

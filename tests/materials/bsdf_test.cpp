@@ -48,6 +48,7 @@ TEST(Bsdf, IsTheModelInAnotherFrame) {
 TEST(Bsdf, LightSamplesSufficeForBoundedContinuousLobes) {
   const auto samples = [](const Bsdf::Model& model) { return Bsdf(model, kNormal, kNormal).samplesLights(kNormal); };
   EXPECT_TRUE(samples(Lambert<float>{kColour}));
+  EXPECT_TRUE(samples(UniformDiffuse<float>{kColour}));
   EXPECT_TRUE(samples(coated<float>(kColour, 1.5f)));
   EXPECT_TRUE(samples(FuzzyMetal<float>{kColour, 1.0f}));
   EXPECT_FALSE(samples(FuzzyMetal<float>{kColour, 0.9f}));

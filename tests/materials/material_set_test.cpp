@@ -25,13 +25,15 @@ TEST(MaterialSet, MakesTheModelsOfTheDescription) {
   const Id metal = scene.addMaterial("metal", MetalMaterial{red, 0.4f});
   const Id glass = scene.addMaterial("glass", DielectricMaterial{});
   const Id wood = scene.addMaterial("wood", CoatedMaterial{red, 1.5f});
+  const Id uniform = scene.addMaterial("uniform", UniformDiffuseMaterial{red});
   const MaterialSet materials(scene);
-  EXPECT_EQ(materials.size(), 6u);
+  EXPECT_EQ(materials.size(), 7u);
 
   const auto bsdf = [&](Id id) { return materials.bsdf(pointOf(id), kWo); };
   EXPECT_EQ(bsdf(absorber).albedo(kWo).r, 0.0f);
   EXPECT_EQ(bsdf(lambert).albedo(kWo).r, 0.6f);
   EXPECT_FLOAT_EQ(bsdf(lambert).eval(kWo, {0, 0, 1}, Transport::Radiance).value.r, 0.6f * kInvPi);
+  EXPECT_FLOAT_EQ(bsdf(uniform).eval(kWo, {0, 0, 1}, Transport::Radiance).value.r, 0.6f * kInvTwoPi);
   EXPECT_EQ(bsdf(mirror).diracProbability(kWo), 1.0f);
   EXPECT_EQ(bsdf(mirror).albedo(kWo).r, 0.6f);
   EXPECT_EQ(bsdf(metal).diracProbability(kWo), 0.0f);

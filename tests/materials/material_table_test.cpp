@@ -25,6 +25,7 @@ SceneDescription everyMaterial() {
   scene.addMaterial("varnish", CoatedMaterial{green, 1.4f});
   scene.addMaterial("book's glass", DielectricMaterial{1.3f, true});
   scene.addMaterial("black", AbsorberMaterial{});
+  scene.addMaterial("uniform", UniformDiffuseMaterial{red});
   return scene;
 }
 
@@ -49,8 +50,8 @@ TEST(MaterialTable, LanesAgreeWithBsdf) {
     BsdfRandom<F> random;
     for (int i = 0; i < 8; ++i) {
       const std::uint32_t index = 8 * round + static_cast<std::uint32_t>(i);
-      // The tenth "material" does not exist: it absorbs.
-      setLane(points, i, pointOf(index % 10 == 9 ? kNone : (index * 7) % 9, index));
+      // The tenth "material" does not exist: it absorbs, as does none.
+      setLane(points, i, pointOf(index % 11 == 10 ? kNone : (index * 7) % 10, index));
       setLane(wo, i, randomDirection(index + 3));
       setLane(wi, i, randomDirection(index + 5));
       const BsdfRandom<float> r = randomNumbers(index);

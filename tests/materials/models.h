@@ -12,6 +12,7 @@
 #include "steradian/materials/fuzzy_metal.h"
 #include "steradian/materials/lambert.h"
 #include "steradian/materials/mirror.h"
+#include "steradian/materials/uniform_diffuse.h"
 
 namespace steradian::test {
 
@@ -30,6 +31,7 @@ void forEachModel(Visitor&& visit) {
   using L = Lanes<8>;
   visit("absorber", Absorber<F>{}, Absorber<L>{});
   visit("lambert", Lambert<F>{kColour}, Lambert<L>{broadcast<L>(kColour)});
+  visit("uniform diffuse", UniformDiffuse<F>{kColour}, UniformDiffuse<L>{broadcast<L>(kColour)});
   visit("mirror", Mirror<F>{kColour}, Mirror<L>{broadcast<L>(kColour)});
   for (const float fuzz : {0.001f, 0.1f, 0.6f, 0.98f, 1.0f}) {
     visit("metal of fuzz " + std::to_string(fuzz), FuzzyMetal<F>{kColour, fuzz},

@@ -27,6 +27,11 @@ TEST(ModelsStat, Lambert) {
   EXPECT_TRUE(checkModel(Lambert<float>{kColour}, fromNormal(130.0), {}));
 }
 
+TEST(ModelsStat, UniformDiffuse) {
+  EXPECT_TRUE(checkModel(UniformDiffuse<float>{kColour}, fromNormal(50.0), {}));
+  EXPECT_TRUE(checkModel(UniformDiffuse<float>{kColour}, fromNormal(130.0), {}));
+}
+
 /// Cells of equal probability about the mirror direction, by the cumulative form of the share within the angle t,
 /// 1 - q cos t / f, and by azimuth.
 struct FuzzCells {
@@ -122,6 +127,7 @@ TEST(ModelsStat, FurnaceByQuadrature) {
     const Vec3f wo = fromNormal(degrees);
     EXPECT_NEAR(reflected(Lambert<float>{grey(1.0f)}, wo), 1.0, 1e-5);
     EXPECT_NEAR(reflected(Lambert<float>{kColour}, wo), 0.5, 1e-5);
+    EXPECT_NEAR(reflected(UniformDiffuse<float>{kColour}, wo), 0.5, 1e-5);
     for (const float eta : {1.3f, 1.5f, 2.5f, 0.75f}) {
       const double mirror = static_cast<double>(fresnelDielectric(std::abs(wo.z), eta));
       EXPECT_NEAR(mirror + reflected(coated<float>(grey(1.0f), eta), wo), 1.0, 1e-4) << eta << ", " << degrees;

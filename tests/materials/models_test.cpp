@@ -150,6 +150,15 @@ TEST(Models, FuzzyMetalCarriesImportanceByItsAdjoint) {
   }
 }
 
+TEST(Models, UniformDiffuseCarriesImportanceByItsAdjoint) {
+  const UniformDiffuse<float> surface{kColour};
+  expectReciprocal(surface, Transport::Importance, Transport::Radiance);
+  const Vec3f steep = fromNormal(20.0), flat = fromNormal(70.0);
+  EXPECT_FLOAT_EQ(surface.eval(steep, flat, Transport::Radiance).value.r, kColour.r / (2.0f * kPi));
+  EXPECT_FLOAT_EQ(surface.eval(flat, steep, Transport::Radiance).value.r, kColour.r / (2.0f * kPi));
+  EXPECT_EQ(surface.eval(steep, -flat, Transport::Radiance).value.r, 0.0f);
+}
+
 // Light that goes through an interface and comes back the same way is what it was: directions, Fresnel shares,
 // radiance.
 TEST(Models, DielectricIsReciprocal) {
