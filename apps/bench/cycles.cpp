@@ -11,8 +11,8 @@
 
 #include "steradian/apps/bench/contender.h"
 #include "steradian/apps/bench/machine.h"
-#include "steradian/apps/bench/reference.h"
 #include "steradian/apps/scenes/scenes.h"
+#include "steradian/apps/steradian/reference.h"
 #include "steradian/core/image_metrics.h"
 
 namespace steradian::bench {
@@ -69,14 +69,14 @@ class Entrant {
   }
 
  private:
-  static Reference makeReference(Contender& contender, std::uint32_t samplesPerPixel) {
+  static app::Reference makeReference(Contender& contender, std::uint32_t samplesPerPixel) {
     constexpr std::uint32_t seed = 1000;  // that no run has
     const Image first = contender.render(samplesPerPixel, seed).image;
-    return Reference(first, contender.render(samplesPerPixel, seed + 1).image);
+    return app::Reference(first, contender.render(samplesPerPixel, seed + 1).image);
   }
 
   Contender& contender_;
-  Reference reference_;
+  app::Reference reference_;
   std::vector<double> seconds_, errors_, efficiencies_;
 };
 

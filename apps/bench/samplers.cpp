@@ -10,8 +10,8 @@
 
 #include "steradian/apps/bench/machine.h"
 #include "steradian/apps/bench/measure.h"
-#include "steradian/apps/bench/reference.h"
 #include "steradian/apps/scenes/scenes.h"
+#include "steradian/apps/steradian/reference.h"
 #include "steradian/integrators/path.h"
 #include "steradian/integrators/render.h"
 
@@ -48,7 +48,7 @@ Table measure(Threads& threads, const Scene& scene, const BenchOptions& options,
     return renderWith(threads, scene, options, SamplerType::Sobol, many, seed)
         .film.image({.features = false, .errors = false});
   };
-  const Reference reference(half(kReferenceSeed), half(kReferenceSeed + 1));
+  const app::Reference reference(half(kReferenceSeed), half(kReferenceSeed + 1));
   Table table;
   table.fill(std::vector<Cell>(counts.size()));
   for (std::size_t c = 0; c < counts.size(); ++c) {

@@ -9,6 +9,13 @@ namespace steradian::scenes {
 // one_weekend.cpp: "Ray Tracing in One Weekend"
 SceneDescription oneWeekend();
 SceneDescription oneWeekendMaterials();
+/// The sky of the book: white at the nadir, light blue at the zenith.
+GradientSky bookSky();
+
+// one_weekend_pictures.cpp
+/// The scene of the book's picture of that number, 4 to 23. Pictures with normals want the integrator `normals`. Of
+/// picture 15 the book shows a wrong render and no program: this is its scene.
+SceneDescription oneWeekendPicture(std::uint32_t picture);
 
 // next_week.cpp: "Ray Tracing: The Next Week"
 SceneDescription quads();
@@ -17,6 +24,8 @@ SceneDescription simpleLight();
 // cornell.cpp: the Cornell boxes of "The Next Week" and "The Rest of Your Life"
 SceneDescription cornellOriginal();
 SceneDescription cornellSmoke();
+/// The same with surfaces that scatter into the whole hemisphere alike ("The Rest of Your Life", 6.3).
+SceneDescription cornellUniformDiffuse();
 SceneDescription cornellBox();
 SceneDescription cornellAluminium();
 SceneDescription cornellGlassSphere();

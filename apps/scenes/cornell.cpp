@@ -98,6 +98,14 @@ SceneDescription cornellSmoke() {
   return scene;
 }
 
+SceneDescription cornellUniformDiffuse() {
+  SceneDescription scene = cornellOriginal();
+  for (MaterialDescription& material : scene.materials)
+    if (const auto* lambert = std::get_if<LambertMaterial>(&material.model))
+      material.model = UniformDiffuseMaterial{lambert->reflectance};
+  return scene;
+}
+
 SceneDescription cornellBox() {
   SceneDescription scene = emptyCornellRoom(64);
   addTallBox(scene, whiteOf(scene));

@@ -6,8 +6,6 @@ namespace steradian::scenes {
 
 namespace {
 
-const GradientSky kBookSky{.nadir = {1.0f, 1.0f, 1.0f}, .zenith = {0.5f, 0.7f, 1.0f}};
-
 /// The random numbers in [0, 1) that belong to one small sphere.
 class SphereRandom {
  public:
@@ -25,6 +23,8 @@ class SphereRandom {
 };
 
 }  // namespace
+
+GradientSky bookSky() { return {.nadir = {1.0f, 1.0f, 1.0f}, .zenith = {0.5f, 0.7f, 1.0f}}; }
 
 SceneDescription oneWeekend() {
   SceneDescription scene;
@@ -68,7 +68,7 @@ SceneDescription oneWeekend() {
   const Id shape = scene.addShape("spheres", std::move(spheres), glass);
   scene.shapes[shape].primitiveMaterials = std::move(materials);
 
-  scene.addLight("sky", kBookSky);
+  scene.addLight("sky", bookSky());
   scene.camera = PerspectiveCamera{.lookFrom = {13.0f, 2.0f, 3.0f},
                                    .lookAt = {0.0f, 0.0f, 0.0f},
                                    .verticalFov = 20.0f,
@@ -90,7 +90,7 @@ SceneDescription oneWeekendMaterials() {
   add("glass", {-1.0f, 0.0f, -1.0f}, 0.5f, DielectricMaterial{.eta = 1.5f});
   add("bubble", {-1.0f, 0.0f, -1.0f}, 0.4f, DielectricMaterial{.eta = 1.0f / 1.5f});
   add("metal", {1.0f, 0.0f, -1.0f}, 0.5f, MetalMaterial{scene.addColour({0.8f, 0.6f, 0.2f}), 1.0f});
-  scene.addLight("sky", kBookSky);
+  scene.addLight("sky", bookSky());
   scene.camera = PerspectiveCamera{.lookFrom = {-2.0f, 2.0f, 1.0f},
                                    .lookAt = {0.0f, 0.0f, -1.0f},
                                    .verticalFov = 20.0f,

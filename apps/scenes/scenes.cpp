@@ -16,7 +16,8 @@ struct Entry {
   SceneInfo info;
   SceneDescription (*fixed)();
   SceneDescription (*counted)(std::uint32_t);
-  std::uint32_t limit;  ///< largest N
+  std::uint32_t limit;      ///< largest N
+  std::uint32_t first = 1;  ///< smallest
 };
 
 constexpr std::array kEntries{
@@ -25,6 +26,11 @@ constexpr std::array kEntries{
           scenes::oneWeekendMaterials,
           nullptr,
           0},
+    Entry{{"one-weekend-picture:N", "book 1: the scene of its picture N, 4 to 23"},
+          nullptr,
+          scenes::oneWeekendPicture,
+          23,
+          4},
     Entry{{"quads", "book 2: five coloured quads around the camera"}, scenes::quads, nullptr, 0},
     Entry{
         {"simple-light", "book 2: a sphere and a quad light over a checkered ground"}, scenes::simpleLight, nullptr, 0},
@@ -32,6 +38,10 @@ constexpr std::array kEntries{
         {"cornell-original", "book 2: the Cornell box with its two-sided light"}, scenes::cornellOriginal, nullptr, 0},
     Entry{{"cornell-smoke", "book 2: the Cornell box with boxes of smoke and fog"}, scenes::cornellSmoke, nullptr, 0},
     Entry{{"cornell-box", "book 3: the Cornell box, light facing down"}, scenes::cornellBox, nullptr, 0},
+    Entry{{"cornell-uniform-diffuse", "book 3: the original box of surfaces that scatter to all sides alike"},
+          scenes::cornellUniformDiffuse,
+          nullptr,
+          0},
     Entry{{"cornell-aluminium", "book 3: the tall box of aluminium"}, scenes::cornellAluminium, nullptr, 0},
     Entry{{"cornell-glass-sphere", "book 3: a glass sphere; it and the light are sampling targets"},
           scenes::cornellGlassSphere,
@@ -74,9 +84,11 @@ std::uint32_t parseCount(std::string_view spec, const Entry& entry) {
   const std::string_view text = spec.size() > stem.size() ? spec.substr(stem.size() + 1) : std::string_view{};
   std::uint32_t count = 0;
   const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), count);
-  if (text.empty() || failure != std::errc{} || end != text.data() + text.size() || count < 1 || count > entry.limit)
+  if (text.empty() || failure != std::errc{} || end != text.data() + text.size() || count < entry.first ||
+      count > entry.limit)
     throw Error(ErrorKind::Usage, "scene \"" + std::string(spec) + "\": " + std::string(entry.info.name) +
-                                      " needs a whole number N from 1 to " + std::to_string(entry.limit));
+                                      " needs a whole number N from " + std::to_string(entry.first) + " to " +
+                                      std::to_string(entry.limit));
   return count;
 }
 

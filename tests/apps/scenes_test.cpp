@@ -34,9 +34,29 @@ TEST(Scenes, UnknownNamesAreRefusedWithTheNearestOne) {
 
 TEST(Scenes, CountsAreChecked) {
   for (const char* bad : {"cornell-city", "cornell-city:", "cornell-city:0", "cornell-city:-1", "cornell-city:1e6",
-                          "cornell-city:99999999999", "cornell-city:3x", "cornell-box:2"}) {
+                          "cornell-city:99999999999", "cornell-city:3x", "cornell-box:2", "one-weekend-picture:3",
+                          "one-weekend-picture:24"}) {
     SCOPED_TRACE(bad);
     EXPECT_THROW(makeScene(bad), Error);
+  }
+}
+
+TEST(Scenes, EveryPictureOfOneWeekendIsValid) {
+  for (int picture = 4; picture <= 23; ++picture) {
+    SCOPED_TRACE(picture);
+    const SceneDescription scene = makeScene("one-weekend-picture:" + std::to_string(picture));
+    EXPECT_TRUE(validate(scene).empty()) << validate(scene).format();
+  }
+}
+
+TEST(Scenes, TheUniformBoxDiffersFromTheOriginalInItsSurfacesAlone) {
+  const SceneDescription uniform = makeScene("cornell-uniform-diffuse"), original = makeScene("cornell-original");
+  ASSERT_EQ(uniform.materials.size(), original.materials.size());
+  for (std::size_t i = 0; i < original.materials.size(); ++i) {
+    const auto* lambert = std::get_if<LambertMaterial>(&original.materials[i].model);
+    const auto* hemisphere = std::get_if<UniformDiffuseMaterial>(&uniform.materials[i].model);
+    ASSERT_EQ(hemisphere != nullptr, lambert != nullptr);
+    EXPECT_TRUE(lambert == nullptr || hemisphere->reflectance == lambert->reflectance);
   }
 }
 

@@ -2,7 +2,7 @@
 /// What the error of a picture is measured against.
 #include "steradian/core/image.h"
 
-namespace steradian::bench {
+namespace steradian::app {
 
 /// The mean of two independent pictures and the standard error of that mean: half their difference.
 struct Reference {
@@ -13,4 +13,4 @@ struct Reference {
   double relMseOf(const Image& picture) const;
 };
 
-}  // namespace steradian::bench
+}  // namespace steradian::app

@@ -1,13 +1,14 @@
-#include "steradian/apps/bench/reference.h"
+#include "steradian/apps/steradian/reference.h"
 
 #include <cmath>
 
 #include "steradian/core/image_metrics.h"
 
-namespace steradian::bench {
+namespace steradian::app {
 
 Reference::Reference(const Image& a, const Image& b)
-    : mean(a.width(), a.height(), {"R", "G", "B"}), standardError(a.width(), a.height(), {"R", "G", "B"}) {
+    : mean(a.width(), a.height(), {"R", "G", "B"}, a.window()),
+      standardError(a.width(), a.height(), {"R", "G", "B"}, a.window()) {
   for (const char* name : {"R", "G", "B"}) {
     const int to = mean.channel(name), fromA = a.channel(name), fromB = b.channel(name);
     for (int y = 0; y < a.height(); ++y) {
@@ -22,4 +23,4 @@ Reference::Reference(const Image& a, const Image& b)
 
 double Reference::relMseOf(const Image& picture) const { return relMSE(picture, mean, &standardError); }
 
-}  // namespace steradian::bench
+}  // namespace steradian::app

@@ -1,0 +1,27 @@
+#pragma once
+/// The books' ray_color where it is wrong: what the pictures need and the product must not have.
+#include "steradian/integrators/integrator.h"
+
+namespace steradian::books {
+
+enum class Mistake {
+  None,                ///< the picture is rendered as its command says
+  UniformDenominator,  ///< "The Rest of Your Life", listing 20: directions have the material's density, but are divided
+                       ///< by 1 / 2 pi
+  AlwaysRefracts       ///< "In One Weekend", listings 72 and 76: what can be refracted is
+};
+
+/// Follows the material without sampling lights and without roulette, as deep as the scene says, and makes one mistake.
+class BookIntegrator final : public RadianceIntegrator {
+ public:
+  explicit BookIntegrator(Mistake mistake) : mistake_(mistake) {}
+
+  using RadianceIntegrator::radiance;
+  /// Biased.
+  Rgb radiance(const Scene& scene, const Ray<float>& ray, const Sampler<float>& sampler) const override;
+
+ private:
+  Mistake mistake_;
+};
+
+}  // namespace steradian::books

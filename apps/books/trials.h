@@ -1,0 +1,39 @@
+#pragma once
+/// Renders of one scene side by side, as a table.
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "steradian/apps/books/measurement.h"
+
+namespace steradian::books {
+
+struct Trial {
+  std::string label;                                ///< HTML
+  std::vector<std::string> command;                 ///< "render" and so on; always a scene second
+  std::function<void(SceneDescription&)> change{};  ///< of the scene, where no command can say it
+  std::string picture{};                            ///< the name of its file, if it is to be kept
+};
+
+struct TrialResult {
+  double seconds = 0.0, samplesPerSecond = 0.0;
+  double raysPerSample = 0.0;  ///< of all kinds
+  std::uint32_t samplesPerPixel = 0;
+  std::uint64_t samples = 0, nonFinite = 0;
+  double relMse = 0.0;  ///< against the reference of the scene as it is without the change
+  double mean = 0.0;    ///< luminance
+
+  /// Efficiency over that of another: relMSE x seconds, the other way round.
+  double efficiencyOver(const TrialResult& other) const { return other.relMse * other.seconds / (relMse * seconds); }
+};
+
+/// Renders a trial, and keeps its picture in `folder` if it is to be kept.
+TrialResult run(const Trial& trial, Measurer& measurer, const Effort& effort, const std::filesystem::path& folder);
+/// The same in about the time that `seconds` says: as many samples as a first short render promises.
+TrialResult runFor(double seconds, Trial trial, Measurer& measurer, const Effort& effort,
+                   const std::filesystem::path& folder);
+
+/// The commands as the page shows them; those of changed scenes are left out.
+std::string commandsOf(const std::vector<Trial>& trials);
+
+}  // namespace steradian::books
