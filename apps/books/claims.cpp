@@ -65,8 +65,9 @@ std::string sphereTakesLonger(Bench& bench) {
     rows.push_back({{trials[i].label, rate(results[i].samplesPerSecond), figure(results[i].raysPerSample),
                      figure(results[i].seconds / results.front().seconds), figure(results[i].relMse)}});
   }
-  return "<p>\"The Rest of Your Life\" (12.3) says that sampling the sphere took five times as long as sampling the "
-         "light, probably because rays that hit glass are expensive. Same scene, same number of samples:</p>\n" +
+  return "<p>Sampling the sphere took the book (section 12.3) five times as long as sampling the light, probably "
+         "because "
+         "rays that hit glass are expensive. The same scene with the same number of samples here:</p>\n" +
          table({"target", "samples/s", "rays per sample", "time", "relMSE"}, rows) + commandsOf(trials);
 }
 
@@ -76,9 +77,8 @@ std::string mixtureReducesNoise(Bench& bench) {
       {"the mixture of both (Image 11)", command("cornell-box", {"--strategy", "mixture"})},
       {"a shadow ray, no chance hits", command("cornell-box", {"--strategy", "light"})},
       {"both, by the power heuristic (default)", command("cornell-box", {"--strategy", "mis"})}};
-  return "<p>The mixture of light and surface sampling (10.3) against its parts, and against shadow rays, which the "
-         "book "
-         "leaves out (11):</p>\n" +
+  return "<p>The mixture of light and surface sampling (section 10.3) beside its parts, and beside shadow rays, which "
+         "chapter 11 talks about:</p>\n" +
          comparison(trials, bench.run(trials));
 }
 
@@ -92,8 +92,9 @@ std::string boxAsTarget(Bench& bench) {
   trials[0].picture = "claim-ceiling-light.png";
   trials[1].picture = "claim-ceiling-box.png";
   const std::string html = comparison(trials, bench.run(trials));
-  return "<p>\"Making a PDF for a block is quite a bit of work\", says 12.3, and leaves the ceiling over the aluminium "
-         "box noisy. Boxes are sampled by their visible faces here. The ceiling alone:</p>\n" +
+  return "<p>Section 12.3 calls a density for a block quite a bit of work, and leaves the ceiling over the aluminium "
+         "box "
+         "noisy. Boxes are sampled by their visible faces here; the ceiling alone:</p>\n" +
          html +
          "<div class=\"pair\"><figure><img src=\"claim-ceiling-light.png\" alt=\"the ceiling, aiming at the light\" "
          "style=\"image-rendering: pixelated\"><figcaption>the light as target</figcaption></figure>\n<figure><img "
@@ -113,7 +114,8 @@ std::string shadowRays(Bench& bench) {
   }
   // The page's commands have the samples that were taken.
   for (std::size_t i = 0; i < trials.size(); ++i) trials[i].command[5] = std::to_string(results[i].samplesPerPixel);
-  return "<p>1, 4, 8 or 16 shadow rays are what 11 mentions. In the same time, with fewer paths for more rays:</p>\n" +
+  return "<p>Chapter 11 mentions 1, 4, 8 or 16 shadow rays at each bounce. In the same time, with fewer paths for more "
+         "rays:</p>\n" +
          comparison(trials, results);
 }
 
@@ -139,12 +141,12 @@ std::string almostMirrors(Bench& bench) {
     rows.push_back({{trials[i].label, rate(r.samplesPerSecond), figure(r.relMse), percent(r.mean / mirrors - 1.0),
                      std::to_string(r.nonFinite)}});
   }
-  return "<p>11 leaves it open whether mirrors are a special case or surfaces of a very small roughness that must not "
-         "make NaN. Both work here: metal of little fuzz in the place of the aluminium box's mirror, relMSE against "
-         "the "
-         "mirror's reference. A mixture is of no use to a surface that reflects into one direction only; a special "
-         "case "
-         "is cheaper.</p>\n" +
+  return "<p>Chapter 11 leaves it open whether mirrors are a special case or surfaces of a roughness too small to be "
+         "seen, "
+         "which must not make NaN. Both work here: metal of little fuzz in the place of the aluminium box's mirror, "
+         "with "
+         "relMSE against the mirror's reference and the mean luminance beside the mirror's. With the mixture, metal of "
+         "little fuzz wastes on the light every other direction that leaves it; a mirror does not.</p>\n" +
          table({"aluminium", "samples/s", "relMSE", "mean", "not finite"}, rows) + commandsOf(trials);
 }
 
@@ -152,9 +154,9 @@ std::string stratification(Bench& bench) {
   std::vector<Trial> trials;
   for (const char* sampler : {"independent", "stratified", "sobol"})
     trials.push_back({sampler, command("cornell-box", {"--sampler", sampler})});
-  return "<p>2.3: stratify whenever the problem has few dimensions. A pixel with its bounces has many; each pair of "
-         "them "
-         "is stratified for itself here:</p>\n" +
+  return "<p>Section 2.3 advises to stratify where there are few dimensions. A pixel with its bounces has many; here "
+         "each "
+         "pair of them is stratified for itself:</p>\n" +
          comparison(trials, bench.run(trials));
 }
 
@@ -163,8 +165,10 @@ std::string notANumber(const Tally& tally) {
   const auto samples = static_cast<double>(tally.samples);
   const double perHundredMillion = static_cast<double>(tally.nonFinite) / samples * 1e8;
   std::string text = fmt::format(
-      "<p>12.6 finds a NaN in every 10 to 100 million rays and sets it to black. All pictures of these pages together: "
-      "{} samples (a sample is a path of several rays), {} of them not finite, that is {} in 10<sup>8</sup>",
+      "<p>The book (section 12.6) meets a NaN in every 10 to 100 million rays and makes it black. All pictures of "
+      "these "
+      "pages together: {} samples (a sample is a path of several rays), {} of them not finite, that is {} in "
+      "10<sup>8</sup>",
       figure(samples), tally.nonFinite, figure(perHundredMillion));
   if (tally.nonFinite == 0)
     text += fmt::format("; with 95 % confidence fewer than {} in 10<sup>8</sup>", figure(3.0 / samples * 1e8));
@@ -176,10 +180,10 @@ std::string notANumber(const Tally& tally) {
 void writeClaims(const std::filesystem::path& folder, const Effort& effort, Tally tally) {
   Bench bench{folder, effort, tally, Measurer(effort)};
   std::string body = fmt::format(
-      "<p>What the books say in passing, measured: 256 x 256, {} samples per pixel where nothing else is said; relMSE "
-      "against two renders of {} by the default settings, whose noise is subtracted; efficiency is 1 / (relMSE x "
-      "seconds), over that of the first row.</p>\n",
-      effort.quick ? 16 : 64, effort.referenceSamples());
+      "<p>What the books say in passing, measured: {}, {} samples per pixel where nothing else is said; relMSE against "
+      "two renders of {} by the default settings, whose noise is subtracted; efficiency is 1 / (relMSE x seconds) over "
+      "that of the first row.</p>\n",
+      effort.quick ? "48 x 36" : "256 x 256", effort.quick ? 16 : 64, effort.referenceSamples());
   body += section("sphere", "Sampling the sphere takes five times as long", sphereTakesLonger(bench));
   body += section("mixture", "The mixture reduces noise", mixtureReducesNoise(bench));
   body += section("box", "A density for a block is quite a bit of work", boxAsTarget(bench));

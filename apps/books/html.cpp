@@ -14,7 +14,7 @@ body { margin: 2em auto; max-width: 68em; padding: 0 1em; font: 15px/1.5 system-
 h1 { font-size: 1.7em; } h2 { font-size: 1.25em; margin-top: 2em; } h3 { font-size: 1.05em; margin: 0 0 .4em; }
 nav a { margin-right: 1.5em; } a { color: #0b5394; }
 table { border-collapse: collapse; margin: .8em 0; }
-th, td { padding: .2em .8em; border-bottom: 1px solid #ddd; text-align: right; }
+th, td { padding: .2em .8em; border-bottom: 1px solid #ddd; text-align: right; white-space: nowrap; }
 th:first-child, td:first-child { text-align: left; }
 code, pre { font: 13px/1.4 ui-monospace, monospace; }
 pre { background: #f4f4f2; padding: .5em .7em; white-space: pre-wrap; overflow-wrap: anywhere; margin: .5em 0; }

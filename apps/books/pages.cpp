@@ -38,7 +38,8 @@ std::string sizeText(const Rendering& rendering) {
 std::string ratioText(const Measurement& m) { return m.ratio ? figure(*m.ratio) : "below the reference's noise"; }
 
 std::string biasText(const Measurement& m) {
-  return fmt::format("{} &plusmn; {} %", percent(m.bias), figure(100.0 * m.biasError));
+  figure(m.bias + m.biasError);
+  return fmt::format("{:+.1f} &plusmn; {:.1f} %", 100.0 * m.bias, 100.0 * m.biasError);
 }
 
 std::string figuresText(const Shown& shown) {

@@ -130,5 +130,24 @@ TEST(Books, MeasuresTheDefaultSettingsAsGoodAsThemselves) {
   EXPECT_GT(test::zTestPValue(m.bias, m.biasError, 0.0, 0.02), test::suiteLevel());
 }
 
+// Without indirect light a fifth of the light is missing, whatever the noise.
+TEST(Books, MeasuresBias) {
+  Measurer measurer(Effort{true});
+  const auto measured = [&](const char* integrator) {
+    app::RenderOptions options =
+        parseRender({"render", "cornell-box", "--size", "32x32", "--spp", "64", "--integrator", integrator});
+    const Scene scene(std::move(options.scene));
+    return measurer.measure(renderScene(scene, std::move(options)), "cornell-box");
+  };
+  const Measurement light = measured("path:strategy=mixture:target-weight=1"), chance = measured("path:strategy=bsdf");
+  EXPECT_GT(light.bias, -0.3);
+  EXPECT_LT(light.bias, -0.15);
+  EXPECT_LT(light.biasError, 0.03);
+  EXPECT_GT(chance.biasError, light.biasError);
+  // A hundred times the error: no mood of the machine turns that around.
+  ASSERT_TRUE(chance.ratio.has_value());
+  EXPECT_LT(*chance.ratio, 0.5);
+}
+
 }  // namespace
 }  // namespace steradian::books
