@@ -76,7 +76,7 @@ std::vector<Picture> secondHalf() {
       {"rest-of-your-life-12", "Image 12: densities from the materials, an aluminium box", "12.2",
        command("cornell-aluminium", "144", kPlain, "mixture"),
        "The mirror sends light to the ceiling, where nothing but chance looks for it. <a href=\"claims.html#box\">With "
-       "the box as a target</a> that noise goes away."},
+       "the box as a target</a> that noise falls."},
       {"rest-of-your-life-13", "Image 13: a glass sphere, and only the sphere sampled", "12.3",
        command("cornell-glass-sphere", "144", kPlain, "mixture", {"--target", "glass sphere"}),
        "The caustic is good and the room is noisy. Listing 55 still names the light; the text says the sphere."},
@@ -85,7 +85,7 @@ std::vector<Picture> secondHalf() {
        "A list of targets has the mean of their densities. The book's picture has black specks; ours has none."},
       {"rest-of-your-life-15", "Image 15: without NaN", "12.6",
        command("cornell-glass-sphere", "196", kPlain, "mixture", {"--target", "lights,glass sphere"}),
-       "The book sets what is not a number to 0. Here such samples are dropped, counted and reported; there are none."},
+       "The book sets what is not a number to 0. Here such samples are dropped, counted and reported."},
   };
 }
 
