@@ -34,12 +34,13 @@ struct CheckerTexture {
   float scale = 1.0f;            ///< World: edge of a cell, scene units; Uv: number of cells along u and v
   Space space = Space::World;
 };
-/// A picture over (u, v): u runs to the right, v upwards, (0, 0) is the lower left corner of the picture.
+/// A picture over (u, v): u runs to the right, v upwards, (0, 0) is the lower left corner of the picture. Its colours
+/// are taken as reflectances: what lies outside of [0, 1], as filters leave it, is clamped at lookup.
 struct ImageTexture {
   /// What lies beyond the picture.
   enum class Wrap { Repeat, Mirror, Clamp, Black };
   enum class Filter { Nearest, Bilinear };
-  std::string name;                    ///< for people: the file that it came from
+  std::string name{};                  ///< for people: the file that it came from
   std::shared_ptr<const Image> image;  ///< linear colours: R, G and B, or one channel for all three
   Wrap wrapU = Wrap::Repeat, wrapV = Wrap::Repeat;
   Filter filter = Filter::Bilinear;
@@ -49,7 +50,7 @@ struct ImageTexture {
 struct NoiseTexture {
   enum class Pattern {
     Noise,       ///< (1 + noise) / 2
-    Turbulence,  ///< the sum of |octaves|, each of twice the frequency and half the size
+    Turbulence,  ///< |sum of octaves|, each of twice the frequency and half the size, at most 1
     Marble       ///< (1 + sin(scale z + 10 turbulence)) / 2, the turbulence being that of the unscaled position
   };
   Pattern pattern = Pattern::Marble;
@@ -230,7 +231,7 @@ struct GradientSky {
 /// A picture of the whole sphere of directions, equirectangular: up (+y) at the top, and in the middle of the picture
 /// -z, turned by `rotation` about +y.
 struct ImageSky {
-  std::string name;                    ///< for people: the file that it came from
+  std::string name{};                  ///< for people: the file that it came from
   std::shared_ptr<const Image> image;  ///< linear: R, G and B, or one channel for all three
   Rgb scale{1.0f, 1.0f, 1.0f};         ///< W sr^-1 m^-2 per unit of the picture
   float rotation = 0.0f;               ///< degrees, counter-clockwise seen from above

@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -22,7 +24,10 @@ class Validator {
   Validator(const SceneDescription& scene, Diagnostics& out) : scene_(scene), out_(out) {}
 
   void run() {
-    for (std::size_t i = 0; i < scene_.textures.size(); ++i) checkTexture(i);
+    for (std::size_t i = 0; i < scene_.textures.size(); ++i) {
+      checkTexture(i);
+      reflects_.push_back(reflects(scene_.textures[i]));
+    }
     for (const MaterialDescription& m : scene_.materials) checkMaterial(m);
     for (const MediumDescription& m : scene_.media) checkMedium(m);
     if (scene_.outside != kNone && scene_.outside >= scene_.media.size())
@@ -67,9 +72,33 @@ class Validator {
       error({}, fmt::format("texture {}: a checker must refer to textures defined before it", index));
   }
 
+  /// Whether all colours of a texture lie in [0, 1]; images are clamped.
+  bool reflects(const TextureDescription& texture) const {
+    const auto within = [](Rgb c) { return nonNegative(c) && maxChannel(c) <= 1.0f; };
+    if (const auto* constant = std::get_if<ConstantTexture>(&texture)) return within(constant->value);
+    if (const auto* noise = std::get_if<NoiseTexture>(&texture)) return within(noise->colour);
+    const auto* checker = std::get_if<CheckerTexture>(&texture);
+    const auto earlier = [&](Id id) { return id >= reflects_.size() || reflects_[id]; };
+    return checker == nullptr || (earlier(checker->even) && earlier(checker->odd));
+  }
+
   void checkPicture(const Image* image, const SourceRange& where, const std::string& owner) {
-    if (image == nullptr || (!image->findRgb() && image->channelCount() != 1))
+    if (image == nullptr || (!image->findRgb() && image->channelCount() != 1)) {
       error(where, owner + " needs a picture with the channels R, G and B, or with a single one");
+      return;
+    }
+    if (image->values().size() >= std::size_t{1} << 31)
+      error(where, owner + " has a picture of more than 2^31 - 1 values");
+    const auto channels = static_cast<std::size_t>(image->channelCount());
+    const std::array<int, 3> colours = image->findRgb().value_or(std::array<int, 3>{0, 0, 0});
+    for (std::size_t pixel = 0; pixel < image->pixelCount(); ++pixel) {
+      const float* values = image->values().data() + pixel * channels;
+      if (finite(Rgb{values[colours[0]], values[colours[1]], values[colours[2]]})) continue;
+      const auto width = static_cast<std::size_t>(image->width());
+      error(where, fmt::format("{}: the colour of pixel ({}, {}) of its picture is not finite", owner, pixel % width,
+                               pixel / width));
+      return;
+    }
   }
 
   void checkMedium(const MediumDescription& m) {
@@ -85,9 +114,7 @@ class Validator {
       error(m.where, fmt::format("material \"{}\": its reflectance is no texture of the scene", m.name));
       return;
     }
-    const auto* constant = std::get_if<ConstantTexture>(&scene_.textures[texture]);
-    if (constant && (!nonNegative(constant->value) || maxChannel(constant->value) > 1.0f))
-      error(m.where, fmt::format("material \"{}\": a reflectance must lie in [0, 1]", m.name));
+    if (!reflects_[texture]) error(m.where, fmt::format("material \"{}\": a reflectance must lie in [0, 1]", m.name));
   }
 
   void checkEta(const MaterialDescription& m, float eta) {
@@ -301,6 +328,7 @@ class Validator {
 
   const SceneDescription& scene_;
   Diagnostics& out_;
+  std::vector<bool> reflects_;  ///< per texture that has been checked: its colours lie in [0, 1]
 };
 
 }  // namespace

@@ -76,8 +76,8 @@ class SingleRays {
 template <class F>
 SurfacePoint<F> WideScene::intersect(const Ray<F>& ray, MaskOf<F> active) const {
   const Geometry& geometry = scene_->geometry();
-  // Textures need parameters of the surface, which flat primitives leave out.
-  const bool flat = flat_ != nullptr && !materials_.textured();
+  // Some textures need parameters of the surface, which flat primitives leave out.
+  const bool flat = flat_ != nullptr && !materials_.readsUv();
   if (flat && flat_->few()) return flat_->surfacePoint(ray, flat_->nearest(ray, active & isUsable(ray)));
   const detail::SingleRays<F> rays(ray);
   SurfacePoint<F> points;

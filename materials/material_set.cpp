@@ -58,9 +58,4 @@ Bsdf MaterialSet::bsdf(const SurfacePoint<float>& at, Vec3f wo, float outsideEta
   return {model, at.geometricNormal, shadingNormal};
 }
 
-std::optional<Rgb> MaterialSet::textureColour(const SurfacePoint<float>& at) const {
-  if (at.material >= entries_.size() || !isTextured(at.material)) return std::nullopt;
-  return textures_.value(entries_[at.material].texture, at);
-}
-
 }  // namespace steradian

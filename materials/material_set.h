@@ -21,9 +21,9 @@ class MaterialSet {
   std::size_t size() const { return entries_.size(); }
   /// The model of a material, with its colour if that is constant.
   const Bsdf::Model& model(Id material) const { return entries_[material].model; }
-  bool isTextured(Id material) const { return entries_[material].texture != kNone; }
-  /// The colour there of a textured material; nothing for others.
-  std::optional<Rgb> textureColour(const SurfacePoint<float>& at) const;
+  /// What its colour is read from; kNone if that is constant, or there is none.
+  Id texture(Id material) const { return entries_[material].texture; }
+  const TextureSet& textures() const { return textures_; }
 
  private:
   /// The model with its constant colour; `texture` replaces that where it is not kNone.

@@ -29,7 +29,10 @@ MaterialTable::MaterialTable(const MaterialSet& materials)
         },
         model);
     records_.push_back(record);
-    if (id < materials.size() && materials.isTextured(static_cast<Id>(id))) textured_ = true;
+    const Id texture = id < materials.size() ? materials.texture(static_cast<Id>(id)) : kNone;
+    textureOf_.push_back(texture);
+    textured_ = textured_ || texture != kNone;
+    readsUv_ = readsUv_ || materials.textures().readsUv(texture);
   }
 }
 

@@ -25,12 +25,12 @@ class MaterialTable {
     Spectrum<F> reflectance;
     F eta, fuzz, internalReflectance, schlick;
   };
-  /// `at` needs valid points; for textures their uv as well (see textured()).
+  /// `at` needs valid points; for some textures their uv as well (see readsUv()).
   template <class F>
   Parameters<F> parameters(const SurfacePoint<F>& at, MaskOf<F> active) const;
 
-  /// Whether any material reads a texture, so that the points need their uv.
-  bool textured() const { return textured_; }
+  /// Whether the texture of any material reads the uv of its points.
+  bool readsUv() const { return readsUv_; }
 
   /// Calls visit(model, mask) for each model that some active lane has, as Model<F> with the lanes' parameters.
   template <class F, class Visit>
@@ -44,14 +44,19 @@ class MaterialTable {
     float red, green, blue, eta, fuzz, internalReflectance, schlick;
   };
 
+  /// Sets the colours that are read from textures: noise for all its lanes at once, others one by one.
+  template <class F>
+  void addTextures(const SurfacePoint<F>& at, UintOf<F> material, MaskOf<F> active, Parameters<F>& parameters) const;
   template <class F, std::size_t index, class Visit>
   void visitModel(const Parameters<F>& p, MaskOf<F> active, const Visit& visit) const;
 
   const MaterialSet* materials_;
   std::vector<Record> records_;  ///< per material, and of none
+  std::vector<Id> textureOf_;    ///< likewise; kNone where the record has the colour
   std::vector<bool> present_;    ///< per model
   bool coloursOnly_ = true;      ///< no model has other parameters
-  bool textured_ = false;
+  bool textured_ = false;        ///< some material has a texture
+  bool readsUv_ = false;
 };
 
 template <class F>
@@ -69,13 +74,27 @@ MaterialTable::Parameters<F> MaterialTable::parameters(const SurfacePoint<F>& at
     p.internalReflectance = b[2];
     p.schlick = b[3];
   }
-  if (!textured_) return p;
-  for (int i = 0; i < widthOf<F>; ++i) {
-    if (!lane(active, i)) continue;
-    const auto colour = materials_->textureColour(lane(at, i));
-    if (colour) setLane(p.reflectance, i, *colour);
-  }
+  if (textured_) addTextures(at, material, active, p);
   return p;
+}
+
+template <class F>
+void MaterialTable::addTextures(const SurfacePoint<F>& at, UintOf<F> material, MaskOf<F> active,
+                                Parameters<F>& p) const {
+  const TextureSet& textures = materials_->textures();
+  const UintOf<F> texture = gather(textureOf_.data(), material);
+  MaskOf<F> left = active & (texture != UintOf<F>(kNone));
+  for (int i = 0; i < widthOf<F>; ++i) {
+    if (!lane(left, i)) continue;
+    const Id id = lane(texture, i);
+    if (const NoisePattern* noise = textures.noise(id)) {
+      const MaskOf<F> mine = left & (texture == UintOf<F>(id));
+      p.reflectance = select(mine, noise->value(at.position), p.reflectance);
+      left = left & !mine;
+    } else {
+      setLane(p.reflectance, i, textures.value(id, lane(at, i)));
+    }
+  }
 }
 
 namespace detail {

@@ -18,6 +18,10 @@ GradientSky bookSky();
 SceneDescription oneWeekendPicture(std::uint32_t picture);
 
 // next_week.cpp: "Ray Tracing: The Next Week"
+SceneDescription checkeredSpheres();
+/// With the picture of earth_picture.h in the place of the book's photograph.
+SceneDescription earth();
+SceneDescription perlinSpheres();
 SceneDescription quads();
 SceneDescription simpleLight();
 

@@ -31,9 +31,11 @@ constexpr std::array kEntries{
           scenes::oneWeekendPicture,
           23,
           4},
+    Entry{{"checkered-spheres", "book 2: two checkered spheres"}, scenes::checkeredSpheres, nullptr, 0},
+    Entry{{"earth", "book 2: a globe; --texture FILE for a map of your own"}, scenes::earth, nullptr, 0},
+    Entry{{"perlin-spheres", "book 2: a sphere of marble on marble ground"}, scenes::perlinSpheres, nullptr, 0},
     Entry{{"quads", "book 2: five coloured quads around the camera"}, scenes::quads, nullptr, 0},
-    Entry{
-        {"simple-light", "book 2: a sphere and a quad light over a checkered ground"}, scenes::simpleLight, nullptr, 0},
+    Entry{{"simple-light", "book 2: a sphere and a quad light over marble"}, scenes::simpleLight, nullptr, 0},
     Entry{
         {"cornell-original", "book 2: the Cornell box with its two-sided light"}, scenes::cornellOriginal, nullptr, 0},
     Entry{{"cornell-smoke", "book 2: the Cornell box with boxes of smoke and fog"}, scenes::cornellSmoke, nullptr, 0},

@@ -41,10 +41,11 @@ TEST_P(EveryScene, ShowsSomethingInTheSameBitsForAnyNumberOfThreads) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, EveryScene,
-                         testing::Values("one-weekend", "one-weekend-materials", "one-weekend-picture:18", "quads",
-                                         "simple-light", "cornell-original", "cornell-uniform-diffuse", "cornell-box",
-                                         "cornell-aluminium", "cornell-glass-sphere", "cornell-city:3000",
-                                         "cornell-tower:9"));
+                         testing::Values("one-weekend", "one-weekend-materials", "one-weekend-picture:18",
+                                         "checkered-spheres", "earth", "perlin-spheres", "quads", "simple-light",
+                                         "cornell-original", "cornell-smoke", "cornell-uniform-diffuse", "cornell-box",
+                                         "nested-glass", "cornell-aluminium", "cornell-glass-sphere",
+                                         "cornell-city:3000", "cornell-tower:9"));
 
 class CornellTrio : public testing::TestWithParam<const char*> {};
 

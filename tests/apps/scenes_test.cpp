@@ -71,6 +71,18 @@ TEST(Scenes, OneWeekendHasTheBooksPopulation) {
   }
 }
 
+TEST(Scenes, TheNextWeekHasItsTextures) {
+  const auto texture = [](const char* name, std::size_t i) { return makeScene(name).textures.at(i); };
+  EXPECT_EQ(std::get<CheckerTexture>(texture("checkered-spheres", 2)).scale, 0.32f);
+  for (const char* name : {"perlin-spheres", "simple-light"}) {
+    const auto noise = std::get<NoiseTexture>(texture(name, 0));
+    EXPECT_EQ(noise.scale, 4.0f);
+    EXPECT_EQ(noise.octaves, 7);
+    EXPECT_EQ(noise.pattern, NoiseTexture::Pattern::Marble);
+  }
+  EXPECT_EQ(std::get<ImageTexture>(texture("earth", 0)).image->width(), 1024);
+}
+
 TEST(Scenes, CityBoxesDoNotOverlapAndStandOnTheFloor) {
   const SceneDescription scene = makeScene("cornell-city:1000");
   const auto& city = std::get<BoxSet>(scene.shapes.back().geometry);

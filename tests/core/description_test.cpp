@@ -37,6 +37,18 @@ TEST(Description, EachFaultIsFound) {
   EXPECT_EQ(complaints([](auto& s) { std::get<SphereSet>(s.shapes[0].geometry).centerX.clear(); }), 1u);
   EXPECT_EQ(complaints([](auto& s) { s.addColour({1.5f, 0.0f, 0.0f}); }), 0u) << "an unused texture may be any";
   EXPECT_EQ(complaints([](auto& s) { s.addMaterial("hot", LambertMaterial{s.addColour({1.5f, 0.0f, 0.0f})}); }), 1u);
+  EXPECT_EQ(complaints([](auto& s) {
+              const Id hot = s.addTexture(NoiseTexture{.colour = {1.5f, 0.0f, 0.0f}});
+              s.addMaterial("nested", LambertMaterial{s.addTexture(CheckerTexture{0, hot, 1.0f})});
+            }),
+            1u);
+  EXPECT_EQ(complaints([](auto& s) { s.addTexture(ImageTexture{}); }), 1u);
+  EXPECT_EQ(complaints([](auto& s) {
+              Image image(2, 2, {"Y"});
+              image.at(1, 1, 0) = NAN;
+              s.addTexture(ImageTexture{.image = std::make_shared<const Image>(image)});
+            }),
+            1u);
   EXPECT_EQ(complaints([](auto& s) { s.addMaterial("fuzzy", MetalMaterial{0, 2.0f}); }), 1u);
   EXPECT_EQ(complaints([](auto& s) { s.addMaterial("glass", DielectricMaterial{.eta = 0.0f}); }), 1u);
   EXPECT_EQ(complaints([](auto& s) { s.addTexture(CheckerTexture{.even = 0, .odd = 1}); }), 1u) << "refers to itself";

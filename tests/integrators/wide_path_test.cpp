@@ -53,6 +53,19 @@ SceneDescription plainRoom() {
   return s;
 }
 
+/// Textures in space, for which all lanes are tested at once as well, and with `picture` one over (u, v).
+SceneDescription texturedRoom(bool picture) {
+  SceneDescription s = everythingRoom();
+  Id texture = s.addTexture(NoiseTexture{.colour = {0.9f, 0.7f, 0.5f}, .scale = 5.0f});
+  test::addBox(s, {0.0f, 0.5f, -0.4f}, {0.3f, 0.1f, 0.2f}, 10.0f, s.addMaterial("marble", LambertMaterial{texture}));
+  if (!picture) return s;
+  Image image(4, 3, {"R", "G", "B"});
+  for (std::size_t i = 0; i < image.values().size(); ++i) image.values()[i] = 0.02f * static_cast<float>(i + 1);
+  texture = s.addTexture(ImageTexture{.image = std::make_shared<const Image>(image), .repeatU = 2.5f});
+  test::addSphere(s, {0.6f, 0.4f, -0.2f}, 0.25f, s.addMaterial("picture", LambertMaterial{texture}));
+  return s;
+}
+
 /// However many clusters there are, without a hierarchy.
 const SceneSettings kFlat{.geometry = {.directClusters = 64}, .lights = {}};
 
@@ -114,10 +127,11 @@ void expectEqualWidths(const Scene& scene, const std::string& integrator, const 
 
 TEST(WidePath, EqualsWidthOneForEveryStrategy) {
   const Scene plain(plainRoom(), kFlat), textured(everythingRoom()), open(openScene()), smoky(smokyScene(), kFlat);
+  const Scene inSpace(texturedRoom(false), kFlat), byUv(texturedRoom(true), kFlat);
   ASSERT_NE(plain.geometry().flat(), nullptr);
   for (const char* strategy : {"bsdf", "light", "mis", "mixture"}) {
     const std::string integrator = std::string("path:strategy=") + strategy;
-    for (const Scene* scene : {&plain, &textured, &open, &smoky})
+    for (const Scene* scene : {&plain, &textured, &open, &smoky, &inSpace, &byUv})
       expectEqualWidths(*scene, integrator, settingsOf(13, 11, 8));
   }
 }
@@ -156,7 +170,7 @@ TEST(WidePath, EqualsWidthOneForEverySamplerFilterAndCrop) {
 }
 
 TEST(WidePath, EqualsWidthOneByBoundsAndByAHierarchy) {
-  for (const char* name : {"one-weekend", "cornell-city:200", "cornell-tower:3", "simple-light"}) {
+  for (const char* name : {"one-weekend", "cornell-city:200", "cornell-tower:3", "simple-light", "earth"}) {
     for (const std::uint32_t directClusters : {64u, 0u}) {
       const Scene scene(makeScene(name), {.geometry = {.directClusters = directClusters}, .lights = {}});
       expectEqualWidths(scene, "path", settingsOf(16, 9, 3));

@@ -70,5 +70,41 @@ TEST(TextureSet, UvCheckerAndNesting) {
   EXPECT_EQ(value(0.99f, 0.99f), 1.0f);
 }
 
+TEST(TextureSet, ImagesReadUvAndNoiseThePosition) {
+  SceneDescription scene;
+  auto image = std::make_shared<Image>(2, 1, std::vector<std::string>{"R", "G", "B"});
+  image->at(1, 0, 1) = 0.5f;
+  const Id picture = scene.addTexture(ImageTexture{.image = image, .filter = ImageTexture::Filter::Nearest});
+  const NoiseTexture marble{.colour = {1.0f, 0.5f, 0.25f}, .scale = 2.0f};
+  const Id noise = scene.addTexture(marble);
+  const Id chosen = scene.addTexture(CheckerTexture{picture, noise, 1.0f});
+  const TextureSet textures(scene.textures);
+  EXPECT_EQ(textures.value(picture, at({}, {0.75f, 0.5f})).g, 0.5f);
+  EXPECT_EQ(textures.value(picture, at({}, {0.25f, 0.5f})).g, 0.0f);
+  const Vec3f p{1.3f, 0.2f, 0.7f};
+  EXPECT_EQ(textures.value(noise, at(p)).g, NoisePattern(marble).value(p).g);
+  EXPECT_EQ(textures.value(chosen, at(p)).g, NoisePattern(marble).value(p).g);
+  EXPECT_EQ(textures.value(chosen, at({0.3f, 0.2f, 0.7f}, {0.75f, 0.5f})).g, 0.5f);
+  EXPECT_FALSE(textures.constant(picture).has_value());
+  EXPECT_FALSE(textures.constant(noise).has_value());
+  EXPECT_EQ(textures.noise(picture), nullptr);
+  EXPECT_NE(textures.noise(noise), nullptr);
+  EXPECT_EQ(textures.noise(kNone), nullptr);
+}
+
+TEST(TextureSet, KnowsWhichTexturesReadUv) {
+  SceneDescription scene;
+  const Id white = scene.addColour(grey(1.0f));
+  const Id noise = scene.addTexture(NoiseTexture{});
+  const Id picture =
+      scene.addTexture(ImageTexture{.image = std::make_shared<const Image>(1, 1, std::vector<std::string>{"Y"})});
+  const Id solid = scene.addTexture(CheckerTexture{white, noise, 1.0f});
+  const Id uv = scene.addTexture(CheckerTexture{white, noise, 1.0f, CheckerTexture::Space::Uv});
+  const Id nested = scene.addTexture(CheckerTexture{solid, picture, 1.0f});
+  const TextureSet textures(scene.textures);
+  for (const Id id : {white, noise, solid, kNone}) EXPECT_FALSE(textures.readsUv(id)) << id;
+  for (const Id id : {picture, uv, nested}) EXPECT_TRUE(textures.readsUv(id)) << id;
+}
+
 }  // namespace
 }  // namespace steradian
