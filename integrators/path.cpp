@@ -70,7 +70,7 @@ void PathIntegrator::renderPass(const RenderJob& job, PassRange pass, Film& film
 PathTracer::PathTracer(const Scene& scene, const PathSettings& settings) : plan_(planFor(scene, settings)) {
   const Strategy strategy = settings.strategy;
   if (strategy != Strategy::Mis) {
-    diracLights_ = lightsOf(scene, {.sampleAreas = false, .sampleSkies = false});
+    diracLights_ = lightsOf(scene, {.sampleAreas = false, .sampleSkies = false, .sampleImageSkies = false});
     plan_.lights = plan_.diracLights = &*diracLights_;
   }
   if (strategy == Strategy::Light) {

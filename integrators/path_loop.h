@@ -3,8 +3,8 @@
 ///
 /// The direct-light strategies differ in two choices only: which lights are sampled at a vertex, and which density
 /// scattering is taken to have when it competes with light sampling in the power heuristic. `bsdf` and `mixture` sample
-/// those lights only that cannot be hit. `mis` samples all but skies and takes the true density. `light` samples all
-/// and takes 0, so that light samples get all the weight, hits of emitters none. Dirac lobes have infinity in every
+/// those lights only that cannot be hit. `mis` samples all but smooth skies and takes the true density. `light` samples
+/// all and takes 0, so that light samples get all the weight, hits of emitters none. Dirac lobes have infinity in every
 /// strategy. What light sampling cannot find has pdf 0 as emission and belongs to scattering alone.
 ///
 /// Where a medium scatters the path, its phase function takes the place of the BSDF, and the rest is the same.

@@ -17,14 +17,13 @@ class WideScene {
  public:
   /// The scene must outlive this.
   explicit WideScene(const Scene& scene)
-      : scene_(&scene), flat_(scene.geometry().flat()), materials_(scene.materials()), hasSky_(false) {
+      : scene_(&scene),
+        flat_(scene.geometry().flat()),
+        materials_(scene.materials()),
+        hasSky_(scene.lights().hasSky()) {
     for (const ShapeDescription& shape : scene.description().shapes)
       emits_.push_back(shape.emission != kNone ? 1u : 0u);
     emits_.push_back(0u);  // of no shape
-    for (const LightDescription& light : scene.description().lights) {
-      hasSky_ = hasSky_ || std::holds_alternative<ConstantSky>(light.model) ||
-                std::holds_alternative<GradientSky>(light.model);
-    }
   }
 
   const Scene& scene() const { return *scene_; }

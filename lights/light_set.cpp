@@ -15,10 +15,10 @@ DistantLight prepared(const DistantLight& light) { return {normalize(light.direc
 }  // namespace
 
 LightSet::LightSet(const SceneDescription& scene, const Bounds3& sceneBounds, LightSetSettings settings)
-    : areas_(scene) {
+    : areas_(scene), skies_(scene, settings.sampleSkies, settings.sampleImageSkies) {
   std::vector<Weighed> weighed;
   listAreas(scene, settings.sampleAreas, weighed);
-  listOthers(scene, radiusOf(sceneBounds), settings.sampleSkies, weighed);
+  listOthers(scene, radiusOf(sceneBounds), weighed);
   std::vector<float> weights;
   weights.reserve(weighed.size());
   for (const Weighed& w : weighed) weights.push_back(w.weight);
@@ -42,8 +42,7 @@ void LightSet::listAreas(const SceneDescription& scene, bool sampled, std::vecto
   }
 }
 
-void LightSet::listOthers(const SceneDescription& scene, float sceneRadius, bool sampleSkies,
-                          std::vector<Weighed>& weighed) {
+void LightSet::listOthers(const SceneDescription& scene, float sceneRadius, std::vector<Weighed>& weighed) {
   const auto addDirac = [&](const auto& light, const char* kind, const std::string& name) {
     Rgb power;
     if constexpr (std::is_same_v<std::decay_t<decltype(light)>, DistantLight>) {
@@ -55,27 +54,23 @@ void LightSet::listOthers(const SceneDescription& scene, float sceneRadius, bool
     weighed.push_back({info_.size(), luminance(power)});
     info_.push_back({kind, name, 1, power, 0.0f});
   };
-  Sky sky;
-  bool hasSky = false;
   for (const LightDescription& light : scene.lights) {
     if (const auto* point = std::get_if<PointLight>(&light.model)) addDirac(*point, "point", light.name);
     if (const auto* spot = std::get_if<SpotLight>(&light.model)) addDirac(PreparedSpot(*spot), "spot", light.name);
     if (const auto* far = std::get_if<DistantLight>(&light.model)) addDirac(prepared(*far), "distant", light.name);
-    if (const auto* constant = std::get_if<ConstantSky>(&light.model)) sky.add(*constant), hasSky = true;
-    if (const auto* gradient = std::get_if<GradientSky>(&light.model)) sky.add(*gradient), hasSky = true;
   }
-  if (!hasSky) return;
-  sky_ = sky;
-  weighed.push_back({info_.size(), sampleSkies ? luminance(sky.power(sceneRadius)) : 0.0f});
-  info_.push_back({"sky", "", 1, sky.power(sceneRadius), 0.0f});
+  if (!hasSky()) return;
+  weighed.push_back({info_.size(), luminance(skies_.sampledPower(sceneRadius))});
+  info_.push_back({"sky", "", 1, skies_.power(sceneRadius), 0.0f});
 }
 
 Emission<float> LightSet::emission(const ScatterPoint<float>& from, const Ray<float>& ray,
                                    const SurfacePoint<float>& hit) const {
   if (!hit.valid) {
-    if (!sky_) return {};
+    if (!hasSky()) return {};
     const float probability = selection_.probability(areas_.size() + diracs_.size());
-    return {sky_->radiance(ray.direction), probability * skyPdf(from.geometricNormal, ray.direction)};
+    const float pdf = probability > 0.0f ? probability * skies_.pdf(from.geometricNormal, ray.direction) : 0.0f;
+    return {skies_.radiance(ray.direction), pdf};
   }
   const auto index = areas_.find(hit);
   if (!index) return {};
@@ -87,7 +82,7 @@ Emission<float> LightSet::emission(const ScatterPoint<float>& from, const Ray<fl
 }
 
 Rgb LightSet::radiance(const Ray<float>& ray, const SurfacePoint<float>& hit) const {
-  if (!hit.valid) return sky_ ? sky_->radiance(ray.direction) : Rgb{};
+  if (!hit.valid) return skies_.radiance(ray.direction);
   const auto index = areas_.find(hit);
   return index ? areas_[*index].radiance(ray.direction, hit.geometricNormal) : Rgb{};
 }

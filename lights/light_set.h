@@ -9,16 +9,18 @@
 #include "steradian/lights/area_lights.h"
 #include "steradian/lights/dirac_lights.h"
 #include "steradian/lights/light_selection.h"
-#include "steradian/lights/sky.h"
+#include "steradian/lights/skies.h"
 
 namespace steradian {
 
 /// What sample() may choose from. Point, spot and distant lights always: nothing else finds them.
 struct LightSetSettings {
   bool sampleAreas = true;  ///< false for the strategies that find them otherwise (`bsdf`, `mixture`)
-  /// Skies are smooth: scattering finds them about as well, and without them the samples go to the other lights.
-  /// `light` needs true.
+  /// Constant and gradient skies are smooth: scattering finds them about as well, and without them the samples go to
+  /// the other lights. `light` needs true.
   bool sampleSkies = false;
+  /// Skies that are pictures may have a sun in them.
+  bool sampleImageSkies = true;
 };
 
 /// For people: an emitting shape with all its primitives and instances, or another light.
@@ -56,7 +58,9 @@ class LightSet {
   /// sample() never makes a sample. emission() may find light all the same.
   bool empty() const { return selection_.empty(); }
   /// Number of lights: primitives and their instances one by one, the skies as one.
-  std::size_t size() const { return areas_.size() + diracs_.size() + (sky_ ? 1u : 0u); }
+  std::size_t size() const { return areas_.size() + diracs_.size() + (hasSky() ? 1u : 0u); }
+  /// Rays that leave the scene find a sky.
+  bool hasSky() const { return !skies_.empty(); }
   const AreaLights& areas() const { return areas_; }
   const std::vector<LightInfo>& info() const { return info_; }
 
@@ -72,12 +76,12 @@ class LightSet {
   template <class F>
   LightSample<F> sampleOne(std::size_t index, const ScatterPoint<F>& from, Vec2<F> u) const;
   void listAreas(const SceneDescription& scene, bool sampled, std::vector<Weighed>& weighed);
-  void listOthers(const SceneDescription& scene, float sceneRadius, bool sampleSkies, std::vector<Weighed>& weighed);
+  void listOthers(const SceneDescription& scene, float sceneRadius, std::vector<Weighed>& weighed);
 
   AreaLights areas_;
   std::vector<DiracLight> diracs_;
-  std::optional<Sky> sky_;
-  LightSelection selection_{{}};  ///< area lights, Dirac lights, sky
+  Skies skies_;
+  LightSelection selection_{{}};  ///< area lights, Dirac lights, skies
   std::vector<LightInfo> info_;
 };
 
@@ -88,8 +92,7 @@ LightSample<F> LightSet::sampleOne(std::size_t index, const ScatterPoint<F>& fro
     return std::visit([&](const auto& light) { return sampleLight(light, from.position); },
                       diracs_[index - areas_.size()]);
   }
-  const DirectionSample<F> d = sampleSky(from.geometricNormal, u);
-  return {sky_->radiance(d.wi) * select(d.pdf > F(0.0f), F(1.0f) / d.pdf, F(0.0f)), d.wi, d.distance, d.pdf};
+  return skies_.sample(from.geometricNormal, u);
 }
 
 template <class F>

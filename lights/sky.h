@@ -7,10 +7,10 @@
 
 namespace steradian {
 
-/// All skies of a scene in one: they lie behind one another, so their radiances add up to one that is linear in y
-/// again.
+/// All smooth skies of a scene in one: they lie behind one another, so their radiances add up to one that is linear in
+/// y again.
 struct Sky {
-  Rgb nadir, zenith;
+  Rgb nadir{}, zenith{};
 
   void add(const ConstantSky& sky) { *this = {nadir + sky.radiance, zenith + sky.radiance}; }
   void add(const GradientSky& sky) { *this = {nadir + sky.nadir, zenith + sky.zenith}; }
@@ -22,8 +22,8 @@ struct Sky {
     return broadcast<F>(nadir) * (F(1.0f) - t) + broadcast<F>(zenith) * t;
   }
 
-  /// Power that enters a sphere about the scene: W per channel.
-  Rgb power(float sceneRadius) const { return (nadir + zenith) * (0.5f * kFourPi * kPi * sceneRadius * sceneRadius); }
+  /// The integral of the radiance over all directions: W m^-2 per channel.
+  Rgb total() const { return (nadir + zenith) * (0.5f * kFourPi); }
 };
 
 /// The density with which skies are sampled: |cos| / 2 pi about the line of the normal, on both sides of the surface,

@@ -140,6 +140,14 @@ TEST(Strategies, AgreeWithOverlappingAndOccludedTargets) {
   expectStrategiesAgree(scene, 256);
 }
 
+TEST(Strategies, AgreeUnderAPictureOfASky) {
+  SceneDescription scene = test::underASkyPicture();
+  expectStrategiesAgree(scene, 256);
+  scene.addLight("dusk", GradientSky{grey(0.3f), {0.1f, 0.2f, 0.4f}});  // and with another behind it
+  scene.addLight("bulb", PointLight{{-0.5f, 2.0f, 1.6f}, grey(0.5f)});
+  expectStrategiesAgree(scene, 256);
+}
+
 TEST(ScatterPdf, EveryProposalAgrees) {
   SceneDescription description = test::room();
   const Id base = description.addColour({0.6f, 0.3f, 0.1f});

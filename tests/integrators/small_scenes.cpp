@@ -83,6 +83,26 @@ SceneDescription room() {
   return scene;
 }
 
+SceneDescription underASkyPicture() {
+  SceneDescription scene;
+  addQuad(scene, {-50, 0, -50}, {0, 0, 100}, {100, 0, 0}, addLambert(scene, grey(0.8f)));
+  addBox(scene, {-0.8f, 0.5f, 0.0f}, {0.4f, 0.5f, 0.4f}, 25.0f, addLambert(scene, {0.7f, 0.4f, 0.1f}));
+  const Id colour = scene.addColour({0.8f, 0.8f, 0.6f});
+  addSphere(scene, {0.3f, 0.5f, 0.6f}, 0.5f, scene.addMaterial("coat", CoatedMaterial{colour, 1.5f}));
+  addSphere(scene, {1.3f, 0.5f, -0.4f}, 0.5f, scene.addMaterial("satin", MetalMaterial{colour, 0.3f}));
+  Image sky(16, 8, {"R", "G", "B"});
+  for (int y = 0; y < 8; ++y) {
+    for (int x = 0; x < 16; ++x) {
+      for (int c = 0; c < 3; ++c) sky.at(x, y, c) = y < 4 ? 0.1f + 0.05f * static_cast<float>((x + 3 * c) % 5) : 0.0f;
+    }
+  }
+  for (int c = 0; c < 3; ++c) sky.at(10, 2, c) = 12.0f - 2.0f * static_cast<float>(c);
+  scene.addLight("sky", ImageSky{.image = std::make_shared<const Image>(sky), .rotation = 70.0f});
+  scene.camera = PerspectiveCamera{.lookFrom = {0, 1.5f, 5}, .lookAt = {0.2f, 0.4f, 0}, .verticalFov = 32.0f};
+  scene.defaults.maxDepth = 5;
+  return scene;
+}
+
 RenderSettings settingsOf(int width, int height, std::uint32_t samplesPerPixel, std::uint32_t seed) {
   RenderSettings settings;
   settings.width = width;

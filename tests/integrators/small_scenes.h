@@ -26,6 +26,9 @@ SceneDescription floorPoint();
 /// under the ceiling. What else is in it, the tests add.
 SceneDescription room();
 
+/// A few shapes on a white floor under a picture of a sky, 16 x 8, with a bright pixel in it.
+SceneDescription underASkyPicture();
+
 /// The size and number of samples of a picture, other settings at their defaults.
 RenderSettings settingsOf(int width, int height, std::uint32_t samplesPerPixel, std::uint32_t seed = 0);
 

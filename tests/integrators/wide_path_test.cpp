@@ -128,10 +128,11 @@ void expectEqualWidths(const Scene& scene, const std::string& integrator, const 
 TEST(WidePath, EqualsWidthOneForEveryStrategy) {
   const Scene plain(plainRoom(), kFlat), textured(everythingRoom()), open(openScene()), smoky(smokyScene(), kFlat);
   const Scene inSpace(texturedRoom(false), kFlat), byUv(texturedRoom(true), kFlat);
+  const Scene sky(test::underASkyPicture());
   ASSERT_NE(plain.geometry().flat(), nullptr);
   for (const char* strategy : {"bsdf", "light", "mis", "mixture"}) {
     const std::string integrator = std::string("path:strategy=") + strategy;
-    for (const Scene* scene : {&plain, &textured, &open, &smoky, &inSpace, &byUv})
+    for (const Scene* scene : {&plain, &textured, &open, &smoky, &inSpace, &byUv, &sky})
       expectEqualWidths(*scene, integrator, settingsOf(13, 11, 8));
   }
 }

@@ -1,0 +1,111 @@
+#pragma once
+/// A picture of the whole sphere of directions, sampled in proportion to its brightness.
+#include <optional>
+
+#include "steradian/core/description.h"
+#include "steradian/core/distribution.h"
+#include "steradian/core/picture.h"
+#include "steradian/core/scattering.h"
+
+namespace steradian {
+
+/// An ImageSky ready for lookup. Radiance is interpolated between the centres of pixels, around the seam as well;
+/// values below 0 count as 0.
+///
+/// Directions are drawn from a density that is constant over (longitude, latitude) in each pixel: the mean of the
+/// interpolated luminance there times the mean sine of the polar angle (Pharr, Jakob & Humphreys, "Physically Based
+/// Rendering", 4th ed., 12.5.2). So it is positive wherever there is light, next to a lone bright pixel as well, and
+/// luminance is nowhere more than 16 times the mean of its pixel.
+class SkyPicture {
+ public:
+  /// The description must be valid. Sampling takes a table of a float per pixel; without it there are no samples, and
+  /// pdf() is 0.
+  SkyPicture(const ImageSky& sky, bool sampled);
+
+  /// W sr^-1 m^-2, from a unit direction.
+  template <class F>
+  Spectrum<F> radiance(Vec3<F> direction) const {
+    return radianceAt(placeOf(direction));
+  }
+
+  /// A direction and the radiance from it.
+  template <class F>
+  struct Sample {
+    DirectionSample<F> direction;
+    Spectrum<F> radiance;
+  };
+  template <class F>
+  Sample<F> sample(Vec2<F> u) const;
+  /// The density of that, per sr; 0 of a picture that is black or not sampled.
+  template <class F>
+  F pdf(Vec3<F> direction) const;
+
+  /// The integral of the radiance over all directions: W m^-2 per channel.
+  Rgb total() const { return total_; }
+
+ private:
+  /// Coordinates over the picture, in [0, 1): from the left and from the top; and the sine of the polar angle.
+  template <class F>
+  struct Place {
+    Vec2<F> point;
+    F sine;
+  };
+  template <class F>
+  Place<F> placeOf(Vec3<F> direction) const;
+  template <class F>
+  Spectrum<F> radianceAt(const Place<F>& place) const;
+  /// Per sr, of a density per unit of the square.
+  template <class F>
+  static F perSteradian(F density, F sine) {
+    // At the poles the sine may round to nothing; nothing is there.
+    return density / (F(2.0f * kPi * kPi) * maximum(sine, F(1e-6f)));
+  }
+
+  Picture picture_;
+  Rgb scale_, total_;
+  float turn_;  ///< of the picture about +y, in [0, 1): whole turns do not count
+  std::optional<PiecewiseConstant2D> table_;
+};
+
+template <class F>
+SkyPicture::Place<F> SkyPicture::placeOf(Vec3<F> direction) const {
+  const F sine = squareRoot(direction.x * direction.x + direction.z * direction.z);
+  const F turns = arcTan2(direction.x, -direction.z) * F(kInvTwoPi) + F(0.5f + turn_);
+  const F last(kOneMinusEpsilon);
+  return {{minimum(turns - floorOf(turns), last), minimum(arcTan2(sine, direction.y) * F(kInvPi), last)}, sine};
+}
+
+template <class F>
+Spectrum<F> SkyPicture::radianceAt(const Place<F>& place) const {
+  const auto width = static_cast<float>(picture_.width()), height = static_cast<float>(picture_.height());
+  const F x = place.point.x * F(width) - F(0.5f), y = place.point.y * F(height) - F(0.5f);
+  const F column = floorOf(x), row = floorOf(y);
+  const auto index = [](F i) { return toUnsigned(toInt(i)); };
+  const F left = select(column < F(0.0f), F(width - 1.0f), column);
+  const F right = select(column + F(1.0f) >= F(width), F(0.0f), column + F(1.0f));
+  const F upper = maximum(row, F(0.0f)), lower = minimum(row + F(1.0f), F(height - 1.0f));
+  const Spectrum<F> c =
+      picture_.blend<F>({index(left), index(right), x - column}, {index(upper), index(lower), y - row});
+  const F zero(0.0f);
+  return broadcast<F>(scale_) * Spectrum<F>{maximum(c.r, zero), maximum(c.g, zero), maximum(c.b, zero)};
+}
+
+template <class F>
+SkyPicture::Sample<F> SkyPicture::sample(Vec2<F> u) const {
+  if (!table_) return {};
+  const auto s = table_->sample(u);
+  const SinCos<F> theta = sinCosTwoPi(F(0.5f) * s.point.y);
+  const SinCos<F> phi = sinCosTwoPi(s.point.x - F(0.5f + turn_));
+  const F sine = maximum(theta.sin, F(0.0f));
+  const Place<F> place{s.point, sine};
+  return {{{phi.sin * sine, theta.cos, -phi.cos * sine}, perSteradian(s.pdf, sine), F(kInfinity)}, radianceAt(place)};
+}
+
+template <class F>
+F SkyPicture::pdf(Vec3<F> direction) const {
+  if (!table_) return F(0.0f);
+  const Place<F> place = placeOf(direction);
+  return perSteradian(table_->pdf(place.point), place.sine);
+}
+
+}  // namespace steradian
