@@ -3,11 +3,14 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <charconv>
+#include <cmath>
 #include <cstdlib>
 #include <utility>
 
 #include "steradian/apps/scenes/scenes.h"
 #include "steradian/apps/steradian/arguments.h"
+#include "steradian/core/picture.h"
 #include "steradian/integrators/make_integrator.h"
 
 namespace steradian::app {
@@ -118,6 +121,8 @@ std::string replayOptions(const RenderTexts& texts, const std::string& integrato
   add("--sampler", texts.sampler);
   add("--filter", texts.filter);
   add("--replicates", texts.replicates);
+  add("--texture", texts.texture);
+  add("--sky", texts.sky);
   return text;
 }
 
@@ -173,6 +178,50 @@ void checkCrop(const RenderTexts& texts, const RenderDefaults& defaults, RenderS
   settings.crop = arguments.crop("--crop", *texts.crop, full);
 }
 
+bool hasImageTexture(const SceneDescription& scene) {
+  for (const TextureDescription& texture : scene.textures)
+    if (std::holds_alternative<ImageTexture>(texture)) return true;
+  return false;
+}
+
+/// Puts a picture in the place of every image texture's.
+void replaceTextures(SceneDescription& scene, const std::string& file) {
+  const std::shared_ptr<const Image> picture = readPicture(file);
+  for (TextureDescription& texture : scene.textures) {
+    auto* image = std::get_if<ImageTexture>(&texture);
+    if (image == nullptr) continue;
+    image->name = file;
+    image->image = picture;
+  }
+}
+
+/// FILE or FILE:DEGREES. What is behind the last colon belongs to the name unless it is a number.
+ImageSky skyFrom(const std::string& text) {
+  ImageSky sky;
+  sky.name = text;
+  const std::size_t colon = text.rfind(':');
+  if (colon != std::string::npos && colon + 1 < text.size()) {
+    float degrees = 0.0f;
+    const char* last = text.data() + text.size();
+    const auto [end, failure] = std::from_chars(text.data() + colon + 1, last, degrees);
+    if (end == last && failure == std::errc{} && std::isfinite(degrees)) {
+      sky.name = text.substr(0, colon);
+      sky.rotation = degrees;
+    }
+  }
+  sky.image = readPicture(sky.name);
+  return sky;
+}
+
+/// Puts a picture in the place of all skies of the scene.
+void replaceSkies(SceneDescription& scene, const std::string& text) {
+  std::erase_if(scene.lights, [](const LightDescription& light) {
+    return std::holds_alternative<ConstantSky>(light.model) || std::holds_alternative<GradientSky>(light.model) ||
+           std::holds_alternative<ImageSky>(light.model);
+  });
+  scene.addLight("sky", skyFrom(text));
+}
+
 }  // namespace
 
 void declareRenderOptions(CLI::App& command, RenderTexts& texts) {
@@ -189,6 +238,9 @@ void declareRenderOptions(CLI::App& command, RenderTexts& texts) {
         ->take_last()
         ->type_name(type);
   };
+  option("--texture", texts.texture, "FILE", "a picture in the place of the scene's image textures");
+  option("--sky", texts.sky, "FILE{:DEGREES}",
+         "a picture in the place of the scene's skies:\nequirectangular, turned about the vertical");
   option("--format", texts.format, "FORMAT", "of -o - and of files without an extension");
   option("--size", texts.size, "WxH", "width and height in pixels (default: the scene's)");
   option("--spp", texts.samples, "N", "samples per pixel (default: the scene's)");
@@ -242,10 +294,14 @@ RenderOptions checkRenderOptions(const RenderTexts& texts, Arguments& arguments)
   collect(arguments, [&] {
     options.scene = makeScene(texts.scene);
     checkCrop(texts, options.scene.defaults, options.settings, arguments);
+    if (texts.texture && !hasImageTexture(options.scene))
+      arguments.problem(fmt::format("--texture: the scene \"{}\" has no image texture to replace", texts.scene));
   });
   options.quiet = texts.quiet;
   options.verbose = texts.verbose;
   arguments.throwIfProblems();
+  if (texts.texture) replaceTextures(options.scene, *texts.texture);
+  if (texts.sky) replaceSkies(options.scene, *texts.sky);
   return options;
 }
 

@@ -25,6 +25,7 @@ struct RenderTexts {
   std::optional<std::string> size, samples, time, seed, threads, crop, tileSize;
   std::optional<std::string> sampler, filter, replicates;
   std::optional<std::string> integrator, strategy, maxDepth, targets, pathWidth, isa;
+  std::optional<std::string> texture, sky;
   std::optional<std::string> format, display, view, exposure;
   std::optional<std::string> statistics;
   bool quiet = false, verbose = false;
@@ -54,8 +55,9 @@ struct RenderOptions {
 /// Declares the options on `command`, with a footer that lists integrators and views.
 void declareRenderOptions(CLI::App& command, RenderTexts& texts);
 
-/// Checks everything that can be checked before the scene is built. Throws Error (Usage) with all problems at once,
-/// those that `arguments` has already among them.
+/// Checks everything that can be checked before the scene is built, and reads the pictures that replace those of the
+/// scene. Throws Error: Usage with all problems at once, those that `arguments` has already among them; Scene or Memory
+/// for pictures (see readPicture).
 RenderOptions checkRenderOptions(const RenderTexts& texts, Arguments& arguments);
 
 }  // namespace steradian::app

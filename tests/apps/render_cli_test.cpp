@@ -174,6 +174,13 @@ TEST_F(Render, EndsByTime) {
   EXPECT_GE(nlohmann::json::parse(outcome.output)["passes"], 1);
 }
 
+TEST_F(Render, PicturesOfTheUsers) {
+  ASSERT_EQ(render({"-o", "map.png"}).exitCode, 0);
+  EXPECT_EQ(render({"-o", "earth.png", "--texture", "map.png", "--sky", "map.png:45"}, "earth").exitCode, 0);
+  expectComplaints(render({"--texture", "map.png"}), 2, {"no image texture"});
+  expectComplaints(render({"--texture", "missing.png"}, "earth"), 65, {"missing.png"});
+}
+
 TEST_F(Render, SaysThatNothingWasSaved) {
   const Outcome outcome = run({"render", "quads", "--size", "8x8", "--spp", "1"});
   EXPECT_EQ(outcome.exitCode, 0);

@@ -5,6 +5,8 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
+#include "steradian/tests/support/temporary_folder.h"
+
 namespace steradian::app {
 namespace {
 
@@ -47,6 +49,54 @@ TEST(RenderOptions, Defaults) {
   EXPECT_EQ(options.threads, 0);
   EXPECT_EQ(options.statistics, StatisticsFormat::None);
   EXPECT_FALSE(options.display) << "no picture is to be seen";
+}
+
+class Pictures : public test::TemporaryFolder {
+ protected:
+  std::string picture(const std::string& name) {
+    Image image(4, 2, {"R", "G", "B"});
+    image.at(1, 0, 0) = 0.5f;
+    writeImage(image, folder_ / name);
+    return (folder_ / name).string();
+  }
+};
+
+TEST_F(Pictures, ReplaceImageTextures) {
+  const std::string file = picture("map.exr");
+  const RenderOptions options = parse({"--texture", file}, "earth");
+  const auto& texture = std::get<ImageTexture>(options.scene.textures.at(0));
+  EXPECT_EQ(texture.name, file);
+  EXPECT_EQ(texture.image->at(1, 0, 0), 0.5f);
+  EXPECT_TRUE(contains(options.replay, "--texture '" + file + "'"));
+  EXPECT_TRUE(contains(complaint({"--texture", file}, "cornell-box"), "no image texture"));
+}
+
+TEST_F(Pictures, ReplaceSkies) {
+  const std::string file = picture("sky.exr"), odd = picture("a:b.exr");
+  const auto sky = [](const std::string& text) {
+    const RenderOptions options = parse({"--sky", text}, "quads");
+    EXPECT_EQ(options.scene.lights.size(), 1u);
+    return std::get<ImageSky>(options.scene.lights.at(0).model);
+  };
+  EXPECT_EQ(sky(file).name, file);
+  EXPECT_EQ(sky(file).rotation, 0.0f);
+  EXPECT_EQ(sky(file + ":-30.5").name, file);
+  EXPECT_EQ(sky(file + ":-30.5").rotation, -30.5f);
+  EXPECT_EQ(sky(odd).name, odd);
+  EXPECT_EQ(sky(odd + ":90").rotation, 90.0f);
+  EXPECT_EQ(parse({"--sky", file}, "cornell-box").scene.lights.size(), 1u);
+}
+
+TEST_F(Pictures, ThatCannotBeReadAreBadAssets) {
+  for (const char* option : {"--texture", "--sky"}) {
+    try {
+      parse({option, (folder_ / "missing.png").string()}, "earth");
+      FAIL();
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), ErrorKind::Scene);
+      EXPECT_TRUE(contains(error.what(), "missing.png"));
+    }
+  }
 }
 
 TEST(RenderOptions, Values) {
