@@ -33,25 +33,13 @@ Vec3f cameraPosition(const CameraDescription& camera) {
   return std::visit([](const auto& c) { return c.lookFrom; }, camera);
 }
 
-Bounds3 transformedBounds(const Bounds3& bounds, const Matrix& matrix) {
-  Bounds3 result;
-  if (bounds.empty()) return result;
-  for (int corner = 0; corner < 8; ++corner) {
-    result.include(transformPoint(
-        matrix, Vec3f{corner & 1 ? bounds.high.x : bounds.low.x, corner & 2 ? bounds.high.y : bounds.low.y,
-                      corner & 4 ? bounds.high.z : bounds.low.z}));
-  }
-  return result;
-}
-
 bool areFinite(const Bounds3& b) {
   return isFinite(b.low.x + b.low.y + b.low.z) && isFinite(b.high.x + b.high.y + b.high.z);
 }
 
 Matrix inverseOf(const Matrix& matrix, const SourceRange& where) {
-  const Imath::M44d inverse = Imath::M44d(matrix).inverse();
-  const Matrix result(inverse);
-  bool finite = Imath::M44d(matrix).determinant() != 0.0;
+  const Matrix result = affineInverse(matrix);
+  bool finite = true;
   for (int i = 0; i < 4; ++i) {
     for (int j = 0; j < 4; ++j) finite = finite && isFinite(result[i][j]) && isFinite(matrix[i][j]);
   }

@@ -8,6 +8,7 @@
 
 #include "steradian/core/camera.h"
 #include "steradian/core/description.h"
+#include "steradian/core/motion.h"
 
 namespace steradian {
 
@@ -165,6 +166,8 @@ class Validator {
     if (s.motion && (!usable(s.motion->open) || !usable(s.motion->close)))
       error(s.where,
             fmt::format("shape \"{}\": the transforms of its motion must be affine, finite and invertible", s.name));
+    else if (s.motion && !sameHandedness(s.motion->open, s.motion->close))
+      error(s.where, fmt::format("shape \"{}\": only one of the transforms of its motion is a mirror", s.name));
     std::visit([&](const auto& set) { checkSet(s, set); }, s.geometry);
   }
 
@@ -278,13 +281,23 @@ class Validator {
           error({}, fmt::format("group \"{}\" has a shape that is not in the scene", group.name));
     for (const InstanceSet& set : scene_.instances) {
       if (set.group >= scene_.groups.size()) error(set.where, "an instance refers to a group that is not in the scene");
-      if (!set.closing.empty() && set.closing.size() != set.transforms.size())
-        error(set.where,
-              fmt::format("{} instances have {} transforms at time 1", set.transforms.size(), set.closing.size()));
-      for (const std::vector<Matrix>* matrices : {&set.transforms, &set.closing}) {
-        if (std::all_of(matrices->begin(), matrices->end(), usable)) continue;
-        error(set.where, "an instance's transform must be affine, finite and invertible");
-      }
+      checkTransforms(set);
+    }
+  }
+
+  void checkTransforms(const InstanceSet& set) {
+    if (!set.closing.empty() && set.closing.size() != set.transforms.size())
+      error(set.where,
+            fmt::format("{} instances have {} transforms at time 1", set.transforms.size(), set.closing.size()));
+    for (const std::vector<Matrix>* matrices : {&set.transforms, &set.closing}) {
+      if (std::all_of(matrices->begin(), matrices->end(), usable)) continue;
+      error(set.where, "an instance's transform must be affine, finite and invertible");
+      return;
+    }
+    for (std::size_t i = 0; i < std::min(set.transforms.size(), set.closing.size()); ++i) {
+      if (sameHandedness(set.transforms[i], set.closing[i])) continue;
+      error(set.where, fmt::format("of the two transforms of instance {} only one is a mirror", i));
+      return;
     }
   }
 

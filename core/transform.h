@@ -2,7 +2,7 @@
 /// Affine transforms as Imath matrices. Imath multiplies row vectors: p' = p M, and A * B applies A first.
 #include <Imath/ImathMatrix.h>
 
-#include "steradian/core/vec.h"
+#include "steradian/core/bounds.h"
 
 namespace steradian {
 
@@ -30,5 +30,10 @@ Vec3<F> transformNormal(const Matrix& inverse, Vec3<F> n) {
           n.x * F(inverse[1][0]) + n.y * F(inverse[1][1]) + n.z * F(inverse[1][2]),
           n.x * F(inverse[2][0]) + n.y * F(inverse[2][1]) + n.z * F(inverse[2][2])};
 }
+
+/// The inverse of an affine, invertible matrix, exact but for the last rounding: error bounds count on it.
+Matrix affineInverse(const Matrix& m);
+/// Bounds of the eight corners, moved by an affine map.
+Bounds3 transformedBounds(const Bounds3& bounds, const Matrix& matrix);
 
 }  // namespace steradian

@@ -91,6 +91,30 @@ TEST(Description, DegenerateQuadsBoxesDisksAndMeshesAreRefused) {
   EXPECT_EQ(with(CustomShapeSet{{nullptr}}), 1u);
 }
 
+TEST(Description, MotionsThatCannotBeAreRefused) {
+  Matrix mirror, flat;
+  mirror.setScale(Imath::V3f(-1.0f, 1.0f, 1.0f));
+  flat.setScale(Imath::V3f(1.0f, 0.0f, 1.0f));
+  const auto shape = [](const Matrix& open, const Matrix& close) {
+    return complaints([&](SceneDescription& s) { s.shapes[0].motion = Motion{open, close}; });
+  };
+  EXPECT_EQ(shape(Matrix(), Matrix()), 0u);
+  EXPECT_EQ(shape(mirror, mirror), 0u);
+  EXPECT_EQ(shape(mirror, Matrix()), 1u);
+  EXPECT_EQ(shape(Matrix(), flat), 1u);
+  const auto instance = [](std::vector<Matrix> open, std::vector<Matrix> close) {
+    return complaints([&](SceneDescription& s) {
+      s.groups.push_back({"g", {0}});
+      s.instances.push_back({0, std::move(open), std::move(close), {}});
+    });
+  };
+  EXPECT_EQ(instance({Matrix(), mirror}, {Matrix(), mirror}), 0u);
+  EXPECT_EQ(instance({Matrix(), mirror}, {}), 0u);
+  EXPECT_EQ(instance({Matrix(), mirror}, {Matrix()}), 1u);
+  EXPECT_EQ(instance({Matrix(), mirror}, {Matrix(), Matrix()}), 1u);
+  EXPECT_EQ(instance({Matrix()}, {flat}), 1u);
+}
+
 TEST(Description, SingularTransformsAreRefused) {
   EXPECT_EQ(complaints([](SceneDescription& s) {
               s.groups.push_back({"g", {0}});
