@@ -23,7 +23,7 @@ struct LocalPoint {
 
   ShapeHit<float> shapeHit() const { return {true, hit.t, hit.u, hit.v}; }
 
-  SurfacePoint<float> operator()(const SphereSet& set) const { return (*this)(sphereAt(set, hit.primitive)); }
+  SurfacePoint<float> operator()(const SphereSet& set) const { return (*this)(movingSphereAt(set, hit.primitive)); }
   SurfacePoint<float> operator()(const QuadSet& set) const { return (*this)(quadAt(set, hit.primitive)); }
   SurfacePoint<float> operator()(const DiskSet& set) const { return (*this)(diskAt(set, hit.primitive)); }
   SurfacePoint<float> operator()(const BoxSet& set) const { return (*this)(boxAt(set, hit.primitive)); }
@@ -34,6 +34,8 @@ struct LocalPoint {
     const float phi = arcTan2(-on.normal.z, on.normal.x) + kPi;
     return surfacePoint(on, {clamp(phi * kInvTwoPi, 0.0f, 1.0f), arcCos(-on.normal.y) * kInvPi});
   }
+
+  SurfacePoint<float> operator()(const MovingSphere<float>& sphere) const { return (*this)(sphere.at(ray.time)); }
 
   SurfacePoint<float> operator()(const Quad<float>& quad) const {
     ShapePoint<float> on = shapePoint(quad, ray, shapeHit());

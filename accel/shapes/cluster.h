@@ -12,6 +12,7 @@
 #include "steradian/accel/shapes/aligned_quad.h"
 #include "steradian/accel/shapes/box.h"
 #include "steradian/accel/shapes/disk.h"
+#include "steradian/accel/shapes/moving_sphere.h"
 #include "steradian/accel/shapes/quad.h"
 #include "steradian/accel/shapes/sphere.h"
 #include "steradian/accel/shapes/triangle.h"
@@ -47,6 +48,26 @@ struct SphereLeaf {
   template <class F>
   static ShapeHit<F> meet(const ClusterRow* c, int i, const Ray<F>& ray) {
     const Sphere<F> sphere{{load<F>(c[0] + i), load<F>(c[1] + i), load<F>(c[2] + i)}, load<F>(c[3] + i)};
+    return intersect(sphere, ray);
+  }
+};
+
+struct MovingSphereLeaf {
+  static constexpr int rows = 7;
+  using Shape = MovingSphere<float>;
+
+  static void put(ClusterRow* to, int i, const Shape& s) {
+    const float values[rows] = {s.center.x, s.center.y, s.center.z, s.move.x, s.move.y, s.move.z, s.radius};
+    for (int r = 0; r < rows; ++r) to[r][i] = values[r];
+  }
+  static Shape get(const ClusterRow* c, int i) {
+    return {{c[0][i], c[1][i], c[2][i]}, {c[3][i], c[4][i], c[5][i]}, c[6][i]};
+  }
+  template <class F>
+  static ShapeHit<F> meet(const ClusterRow* c, int i, const Ray<F>& ray) {
+    const MovingSphere<F> sphere{{load<F>(c[0] + i), load<F>(c[1] + i), load<F>(c[2] + i)},
+                                 {load<F>(c[3] + i), load<F>(c[4] + i), load<F>(c[5] + i)},
+                                 load<F>(c[6] + i)};
     return intersect(sphere, ray);
   }
 };

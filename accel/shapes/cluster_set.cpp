@@ -14,10 +14,20 @@ namespace {
 /// The set that holds primitives of a leaf kind, if the geometry is one, and its primitives in the leaf's form.
 template <class Leaf>
 struct SetOf;
+/// A set of spheres moves as a whole or not at all.
+const SphereSet* sphereSet(const ShapeGeometry& g, bool moving) {
+  const SphereSet* set = std::get_if<SphereSet>(&g);
+  return set && areMoving(*set) == moving ? set : nullptr;
+}
 template <>
 struct SetOf<SphereLeaf> {
-  static const SphereSet* of(const ShapeGeometry& g) { return std::get_if<SphereSet>(&g); }
+  static const SphereSet* of(const ShapeGeometry& g) { return sphereSet(g, false); }
   static Sphere<float> at(const SphereSet& set, std::size_t i) { return sphereAt(set, i); }
+};
+template <>
+struct SetOf<MovingSphereLeaf> {
+  static const SphereSet* of(const ShapeGeometry& g) { return sphereSet(g, true); }
+  static MovingSphere<float> at(const SphereSet& set, std::size_t i) { return movingSphereAt(set, i); }
 };
 /// A set of quads is aligned as a whole or not at all.
 const QuadSet* quadSet(const ShapeGeometry& g, bool aligned) {
@@ -134,6 +144,7 @@ ClusterSet::ClusterSet(const SceneDescription& scene, std::span<const Id> shapes
   add<AlignedQuadLeaf>(scene, sorted), close();
   add<UprightBoxLeaf>(scene, sorted), close();
   add<SphereLeaf>(scene, sorted), close();
+  add<MovingSphereLeaf>(scene, sorted), close();
   add<TriangleLeaf>(scene, sorted), close();
   add<DiskLeaf>(scene, sorted), close();
   add<TurnedBoxLeaf>(scene, sorted), close();

@@ -11,8 +11,8 @@
 namespace steradian {
 
 /// A primitive as its cluster keeps it.
-using LeafShape =
-    std::variant<Quad<float>, AlignedQuad, UprightBox<float>, Sphere<float>, Triangle<float>, Disk<float>, TurnedBox>;
+using LeafShape = std::variant<Quad<float>, AlignedQuad, UprightBox<float>, Sphere<float>, MovingSphere<float>,
+                               Triangle<float>, Disk<float>, TurnedBox>;
 
 class ClusterSet {
  public:

@@ -29,9 +29,10 @@ FlatPrimitives::FlatPrimitives(const SceneDescription& scene, std::span<const Id
     // As in clusters, a set goes through a special kernel as a whole or not at all.
     const auto* quads = std::get_if<QuadSet>(&shape.geometry);
     const auto* boxes = std::get_if<BoxSet>(&shape.geometry);
-    const bool aligned = quads && areAligned(*quads), upright = boxes && areUpright(*boxes);
+    const auto* balls = std::get_if<SphereSet>(&shape.geometry);
+    const bool special = (quads && areAligned(*quads)) || (boxes && areUpright(*boxes)) || (balls && areMoving(*balls));
     for (std::size_t i = 0; i < primitiveCount(shape.geometry); ++i) {
-      add(shape.geometry, i, aligned, upright);
+      add(shape.geometry, i, special);
       ids_.back().shape = id;
       ids_.back().primitive = static_cast<std::uint32_t>(i);
       ids_.back().material = shape.primitiveMaterials.empty() ? shape.material : shape.primitiveMaterials[i];
@@ -55,11 +56,11 @@ void FlatPrimitives::describe(Kind pointKind, std::initializer_list<Vec3f> numbe
   if (std::find(present_.begin(), present_.end(), pointKind) == present_.end()) present_.push_back(pointKind);
 }
 
-void FlatPrimitives::add(const ShapeGeometry& geometry, std::size_t primitive, bool aligned, bool upright) {
+void FlatPrimitives::add(const ShapeGeometry& geometry, std::size_t primitive, bool special) {
   if (const auto* quads = std::get_if<QuadSet>(&geometry)) {
     const Quad<float> q = quadAt(*quads, primitive);
     const std::optional<AlignedQuad> alignedQuad = AlignedQuad::of(q);
-    if (aligned) {
+    if (special) {
       add(Kind::AlignedQuad, alignedQuads_, *alignedQuad);
     } else {
       add(Kind::Quad, quads_, q);
@@ -72,11 +73,17 @@ void FlatPrimitives::add(const ShapeGeometry& geometry, std::size_t primitive, b
       describe(Kind::Quad, {q.corner, q.u, q.v, on.error, on.normal});
     }
   } else if (const auto* balls = std::get_if<SphereSet>(&geometry)) {
-    const Sphere<float> s = sphereAt(*balls, primitive);
-    add(Kind::Sphere, spheres_, s);
-    describe(Kind::Sphere, {s.center, {s.radius, 0.0f, 0.0f}});
+    if (special) {
+      const MovingSphere<float> s = movingSphereAt(*balls, primitive);
+      add(Kind::MovingSphere, movingSpheres_, s);
+      describe(Kind::MovingSphere, {s.center, s.move, {s.radius, 0.0f, 0.0f}});
+    } else {
+      const Sphere<float> s = sphereAt(*balls, primitive);
+      add(Kind::Sphere, spheres_, s);
+      describe(Kind::Sphere, {s.center, {s.radius, 0.0f, 0.0f}});
+    }
   } else if (const auto* boxes = std::get_if<BoxSet>(&geometry)) {
-    if (upright) {
+    if (special) {
       const UprightBox<float> b = uprightBoxAt(*boxes, primitive);
       add(Kind::UprightBox, uprightBoxes_, b);
       describe(Kind::UprightBox, {b.center, b.half, {b.axes.cosine, b.axes.sine, 0.0f}});

@@ -51,7 +51,7 @@ class FlatPrimitives {
   SurfacePoint<F> surfacePoint(const Ray<F>& ray, const LaneHit<F>& hit) const;
 
  private:
-  enum class Kind : std::uint32_t { Quad, AlignedQuad, Sphere, UprightBox, TurnedBox, Disk, Triangle };
+  enum class Kind : std::uint32_t { Quad, AlignedQuad, Sphere, MovingSphere, UprightBox, TurnedBox, Disk, Triangle };
 
   /// Entries that follow one another and are of one kind.
   struct Run {
@@ -67,7 +67,8 @@ class FlatPrimitives {
     std::uint32_t shape, primitive, material;
   };
 
-  void add(const ShapeGeometry& geometry, std::size_t primitive, bool aligned, bool upright);
+  /// `special`: through the kernel of aligned quads, upright boxes, moving spheres.
+  void add(const ShapeGeometry& geometry, std::size_t primitive, bool special);
   template <class Shape>
   void add(Kind kind, std::vector<Shape>& shapes, const Shape& shape);
   void describe(Kind pointKind, std::initializer_list<Vec3f> numbers);
@@ -83,6 +84,7 @@ class FlatPrimitives {
   std::vector<Quad<float>> quads_;
   std::vector<AlignedQuad> alignedQuads_;
   std::vector<Sphere<float>> spheres_;
+  std::vector<MovingSphere<float>> movingSpheres_;
   std::vector<UprightBox<float>> uprightBoxes_;
   std::vector<Box<float>> turnedBoxes_;
   std::vector<Disk<float>> disks_;
@@ -110,6 +112,8 @@ void FlatPrimitives::meetRun(const Run& run, const Ray<F>& ray, const RayByAxis<
       return meetAll(alignedQuads_, [&](const AlignedQuad& q) { return intersect(q, byAxis, ray.tMin, ray.tMax); });
     case Kind::Sphere:
       return meetAll(spheres_, meetShape);
+    case Kind::MovingSphere:
+      return meetAll(movingSpheres_, meetShape);
     case Kind::UprightBox:
       return meetAll(uprightBoxes_, meetBox);
     case Kind::TurnedBox:
@@ -157,6 +161,7 @@ ShapePoint<F> FlatPrimitives::pointOf(Kind kind, const Ray<F>& ray, const LaneHi
   const auto b = numbers(4);
   const Vec3<F> second{a[3], b[0], b[1]};
   if (kind == Kind::UprightBox) return shapePoint(UprightBox<F>{first, second, {b[2], b[3]}}, ray, found);
+  if (kind == Kind::MovingSphere) return shapePoint(MovingSphere<F>{first, second, b[2]}, ray, found);
   if (kind == Kind::Disk) return shapePoint(Disk<F>{first, second, b[2]}, ray, found);
   const auto c = numbers(8);
   const Vec3<F> third{b[2], b[3], c[0]}, fourth{c[1], c[2], c[3]};

@@ -2,6 +2,7 @@
 /// The same shape in every lane.
 #include "steradian/accel/shapes/box.h"
 #include "steradian/accel/shapes/disk.h"
+#include "steradian/accel/shapes/moving_sphere.h"
 #include "steradian/accel/shapes/quad_sampling.h"
 #include "steradian/accel/shapes/sphere.h"
 #include "steradian/accel/shapes/triangle.h"
@@ -11,6 +12,10 @@ namespace steradian {
 template <class F>
 Sphere<F> inLanes(const Sphere<float>& s) {
   return {broadcast<F>(s.center), F(s.radius)};
+}
+template <class F>
+MovingSphere<F> inLanes(const MovingSphere<float>& s) {
+  return {broadcast<F>(s.center), broadcast<F>(s.move), F(s.radius)};
 }
 template <class F>
 Quad<F> inLanes(const Quad<float>& q) {

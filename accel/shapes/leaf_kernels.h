@@ -20,11 +20,11 @@ struct Clusters {
   template <class Leaf>
   using Of = std::vector<Cluster<Leaf>>;
 
-  std::tuple<Of<QuadLeaf>, Of<AlignedQuadLeaf>, Of<UprightBoxLeaf>, Of<SphereLeaf>, Of<TriangleLeaf>, Of<DiskLeaf>,
-             Of<TurnedBoxLeaf>>
+  std::tuple<Of<QuadLeaf>, Of<AlignedQuadLeaf>, Of<UprightBoxLeaf>, Of<SphereLeaf>, Of<MovingSphereLeaf>,
+             Of<TriangleLeaf>, Of<DiskLeaf>, Of<TurnedBoxLeaf>>
       kinds;
   std::vector<Custom> custom;
-  std::array<std::uint32_t, 8> end{};  ///< one past the last cluster of each kind, in order; custom shapes last
+  std::array<std::uint32_t, 9> end{};  ///< one past the last cluster of each kind, in order; custom shapes last
 
   /// Bounds of 16 clusters side by side.
   struct alignas(64) BoundsBlock {

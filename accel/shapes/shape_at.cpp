@@ -9,6 +9,19 @@ Sphere<float> sphereAt(const SphereSet& set, std::size_t i) {
   return {{set.centerX[i], set.centerY[i], set.centerZ[i]}, set.radius[i]};
 }
 
+MovingSphere<float> movingSphereAt(const SphereSet& set, std::size_t i) {
+  const Sphere<float> start = sphereAt(set, i);
+  if (set.moveX.empty()) return {start.center, {}, start.radius};
+  return {start.center, {set.moveX[i], set.moveY[i], set.moveZ[i]}, start.radius};
+}
+
+bool areMoving(const SphereSet& set) {
+  const auto moves = [](float x) { return x != 0.0f; };
+  return std::any_of(set.moveX.begin(), set.moveX.end(), moves) ||
+         std::any_of(set.moveY.begin(), set.moveY.end(), moves) ||
+         std::any_of(set.moveZ.begin(), set.moveZ.end(), moves);
+}
+
 Quad<float> quadAt(const QuadSet& set, std::size_t i) {
   return {{set.cornerX[i], set.cornerY[i], set.cornerZ[i]},
           {set.uX[i], set.uY[i], set.uZ[i]},
@@ -77,6 +90,13 @@ Bounds3 boundsOf(const Sphere<float>& sphere) {
   return {sphere.center - reach, sphere.center + reach};
 }
 
+Bounds3 boundsOf(const MovingSphere<float>& sphere) {
+  // Rounding keeps order: no centre between is computed beyond the two.
+  Bounds3 bounds = boundsOf(sphere.at(0.0f));
+  bounds.include(boundsOf(sphere.at(1.0f)));
+  return bounds;
+}
+
 Bounds3 boundsOf(const Quad<float>& quad) {
   Bounds3 bounds;
   bounds.include(quad.corner);
@@ -116,7 +136,7 @@ Bounds3 boundsOf(const TurnedBox& box) { return boundsOf(boxOf(box)); }
 Bounds3 boundsOf(const ShapeGeometry& geometry, std::size_t i) {
   struct Visitor {
     std::size_t i;
-    Bounds3 operator()(const SphereSet& set) const { return boundsOf(sphereAt(set, i)); }
+    Bounds3 operator()(const SphereSet& set) const { return boundsOf(movingSphereAt(set, i)); }
     Bounds3 operator()(const QuadSet& set) const { return boundsOf(quadAt(set, i)); }
     Bounds3 operator()(const BoxSet& set) const { return boundsOf(boxAt(set, i)); }
     Bounds3 operator()(const DiskSet& set) const { return boundsOf(diskAt(set, i)); }

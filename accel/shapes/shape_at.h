@@ -3,6 +3,7 @@
 #include "steradian/accel/shapes/aligned_quad.h"
 #include "steradian/accel/shapes/box.h"
 #include "steradian/accel/shapes/disk.h"
+#include "steradian/accel/shapes/moving_sphere.h"
 #include "steradian/accel/shapes/quad.h"
 #include "steradian/accel/shapes/sphere.h"
 #include "steradian/accel/shapes/triangle.h"
@@ -11,7 +12,10 @@
 
 namespace steradian {
 
-Sphere<float> sphereAt(const SphereSet& set, std::size_t i);
+Sphere<float> sphereAt(const SphereSet& set, std::size_t i);  ///< at time 0
+MovingSphere<float> movingSphereAt(const SphereSet& set, std::size_t i);
+/// Does any sphere of the set move? Then all of them go through the kernel of moving ones.
+bool areMoving(const SphereSet& set);
 Quad<float> quadAt(const QuadSet& set, std::size_t i);
 Disk<float> diskAt(const DiskSet& set, std::size_t i);
 Triangle<float> triangleAt(const TriangleMesh& mesh, std::size_t i);
@@ -30,6 +34,7 @@ Box<float> boxOf(const TurnedBox& box);
 Box<float> boxAt(const BoxSet& set, std::size_t i);
 
 Bounds3 boundsOf(const Sphere<float>& sphere);
+Bounds3 boundsOf(const MovingSphere<float>& sphere);  ///< at all times
 Bounds3 boundsOf(const Quad<float>& quad);
 Bounds3 boundsOf(const AlignedQuad& quad);
 Bounds3 boundsOf(const Disk<float>& disk);

@@ -7,6 +7,7 @@
 #include "steradian/accel/shapes/aligned_quad.h"
 #include "steradian/accel/shapes/box.h"
 #include "steradian/accel/shapes/disk.h"
+#include "steradian/accel/shapes/moving_sphere.h"
 #include "steradian/accel/shapes/quad.h"
 #include "steradian/accel/shapes/sphere.h"
 #include "steradian/accel/shapes/triangle.h"
@@ -31,6 +32,11 @@ ShapePoint<F> shapePoint(const Sphere<F>& sphere, const Ray<F>& ray, const Shape
   const Vec3<F> reach = normal * sphere.radius;
   return {sphere.center + reach,
           absolute(sphere.center) * F(kPlaceError) + absolute(reach) * F(kPlaceError + kReachError), normal};
+}
+
+template <class F>
+ShapePoint<F> shapePoint(const MovingSphere<F>& sphere, const Ray<F>& ray, const ShapeHit<F>& hit) {
+  return shapePoint(sphere.at(ray.time), ray, hit);
 }
 
 template <class F>

@@ -9,6 +9,7 @@ namespace steradian::scenes {
 // one_weekend.cpp: "Ray Tracing in One Weekend"
 SceneDescription oneWeekend();
 SceneDescription oneWeekendMaterials();
+SceneDescription bouncingSpheres();  // of "The Next Week"
 /// The sky of the book: white at the nadir, light blue at the zenith.
 GradientSky bookSky();
 

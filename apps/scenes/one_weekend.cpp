@@ -1,4 +1,4 @@
-/// "Ray Tracing in One Weekend" v4, sections 13 and 14.
+/// "Ray Tracing in One Weekend" v4, sections 13 and 14; "Ray Tracing: The Next Week" v4, section 2.6.
 #include "steradian/apps/scenes/builders.h"
 #include "steradian/core/rng.h"
 
@@ -22,11 +22,10 @@ class SphereRandom {
   RandomStream stream_;
 };
 
-}  // namespace
-
-GradientSky bookSky() { return {.nadir = {1.0f, 1.0f, 1.0f}, .zenith = {0.5f, 0.7f, 1.0f}}; }
-
-SceneDescription oneWeekend() {
+/// The cover: small spheres in a grid of cells, and three large ones. `ground` makes the material that they lie on;
+/// `bouncing`: the small matte ones rise by up to 0.5 while the shutter is open.
+template <class Ground>
+SceneDescription coverScene(const Ground& ground, bool bouncing) {
   SceneDescription scene;
   SphereSet spheres;
   std::vector<Id> materials;
@@ -42,7 +41,7 @@ SceneDescription oneWeekend() {
   };
   const Id glass = scene.addMaterial("glass", DielectricMaterial{.eta = 1.5f});
 
-  add({0.0f, -1000.0f, 0.0f}, 1000.0f, lambert("ground", {0.5f, 0.5f, 0.5f}));
+  add({0.0f, -1000.0f, 0.0f}, 1000.0f, ground(scene));
   for (int column = -11; column < 11; ++column) {
     for (int row = -11; row < 11; ++row) {
       SphereRandom random(column, row);
@@ -53,7 +52,13 @@ SceneDescription oneWeekend() {
       if (length(center - Vec3f{4.0f, 0.2f, 0.0f}) <= 0.9f) continue;
       if (choice < 0.8f) {
         const Rgb a = random.colour(0.0f, 1.0f), b = random.colour(0.0f, 1.0f);
-        add(center, 0.2f, lambert("matte", a * b));
+        const Id matte = lambert("matte", a * b);
+        if (bouncing) {
+          spheres.addMoving(center, center + Vec3f{0.0f, random.between(0.0f, 0.5f), 0.0f}, 0.2f);
+          materials.push_back(matte);
+        } else {
+          add(center, 0.2f, matte);
+        }
       } else if (choice < 0.95f) {
         const Rgb c = random.colour(0.5f, 1.0f);
         add(center, 0.2f, metal("metal", c, random.between(0.0f, 0.5f)));
@@ -67,14 +72,37 @@ SceneDescription oneWeekend() {
   add({4.0f, 1.0f, 0.0f}, 1.0f, metal("bronze mirror", {0.7f, 0.6f, 0.5f}, 0.0f));
   const Id shape = scene.addShape("spheres", std::move(spheres), glass);
   scene.shapes[shape].primitiveMaterials = std::move(materials);
-
-  scene.addLight("sky", bookSky());
   scene.camera = PerspectiveCamera{.lookFrom = {13.0f, 2.0f, 3.0f},
                                    .lookAt = {0.0f, 0.0f, 0.0f},
                                    .verticalFov = 20.0f,
                                    .defocusAngle = 0.6f,
                                    .focusDistance = 10.0f};
+  return scene;
+}
+
+}  // namespace
+
+GradientSky bookSky() { return {.nadir = {1.0f, 1.0f, 1.0f}, .zenith = {0.5f, 0.7f, 1.0f}}; }
+
+SceneDescription oneWeekend() {
+  const auto ground = [](SceneDescription& scene) {
+    return scene.addMaterial("ground", LambertMaterial{scene.addColour({0.5f, 0.5f, 0.5f})});
+  };
+  SceneDescription scene = coverScene(ground, false);
+  scene.addLight("sky", bookSky());
   scene.defaults = {.width = 1200, .height = 675, .samplesPerPixel = 100, .maxDepth = 49};
+  return scene;
+}
+
+SceneDescription bouncingSpheres() {
+  const auto ground = [](SceneDescription& scene) {
+    const Id even = scene.addColour({0.2f, 0.3f, 0.1f}), odd = scene.addColour({0.9f, 0.9f, 0.9f});
+    const Id checker = scene.addTexture(CheckerTexture{.even = even, .odd = odd, .scale = 0.32f});
+    return scene.addMaterial("checkered", LambertMaterial{checker});
+  };
+  SceneDescription scene = coverScene(ground, true);
+  scene.addLight("sky", ConstantSky{{0.7f, 0.8f, 1.0f}});
+  scene.defaults = {.width = 400, .height = 225, .samplesPerPixel = 100, .maxDepth = 49};
   return scene;
 }
 

@@ -34,6 +34,11 @@ constexpr std::array kEntries{
     Entry{{"checkered-spheres", "book 2: two checkered spheres"}, scenes::checkeredSpheres, nullptr, 0},
     Entry{{"earth", "book 2: a globe; --texture FILE for a map of your own"}, scenes::earth, nullptr, 0},
     Entry{{"perlin-spheres", "book 2: a sphere of marble on marble ground"}, scenes::perlinSpheres, nullptr, 0},
+    Entry{{"bouncing-spheres",
+           "book 2: the cover of book 1, checkered, its matte spheres rising while the shutter is open"},
+          scenes::bouncingSpheres,
+          nullptr,
+          0},
     Entry{{"quads", "book 2: five coloured quads around the camera"}, scenes::quads, nullptr, 0},
     Entry{{"simple-light", "book 2: a sphere and a quad light over marble"}, scenes::simpleLight, nullptr, 0},
     Entry{

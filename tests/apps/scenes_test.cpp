@@ -83,6 +83,25 @@ TEST(Scenes, TheNextWeekHasItsTextures) {
   EXPECT_EQ(std::get<ImageTexture>(texture("earth", 0)).image->width(), 1024);
 }
 
+TEST(Scenes, BouncingSpheresAreTheCoverWithMatteSpheresRising) {
+  const SceneDescription cover = makeScene("one-weekend"), scene = makeScene("bouncing-spheres");
+  const auto& still = std::get<SphereSet>(cover.shapes.at(0).geometry);
+  const auto& spheres = std::get<SphereSet>(scene.shapes.at(0).geometry);
+  ASSERT_EQ(spheres.radius, still.radius);
+  ASSERT_EQ(spheres.moveY.size(), 484u);
+  int rising = 0;
+  for (std::size_t i = 0; i < spheres.radius.size(); ++i) {
+    const std::string& material = scene.materials[scene.shapes[0].primitiveMaterials[i]].name;
+    const float move = spheres.moveY[i];
+    EXPECT_EQ(spheres.moveX[i] + spheres.moveZ[i], 0.0f);
+    EXPECT_GE(move, 0.0f);
+    EXPECT_LT(move, 0.5f);
+    if (material != "matte") EXPECT_EQ(move, 0.0f);
+    rising += move > 0.0f ? 1 : 0;
+  }
+  EXPECT_GT(rising, 350);
+}
+
 TEST(Scenes, CityBoxesDoNotOverlapAndStandOnTheFloor) {
   const SceneDescription scene = makeScene("cornell-city:1000");
   const auto& city = std::get<BoxSet>(scene.shapes.back().geometry);

@@ -46,7 +46,8 @@ void expectClusterIsLoop(unsigned seed, int count, const Make& make) {
       shapes.push_back(make(random));
       cluster.put(i, shapes.back(), 7, static_cast<std::uint32_t>(i));
     }
-    const Ray<float> ray = random.rayTowards({0.0f, 0.0f, 0.0f}, 1.0f, 4.0f);
+    Ray<float> ray = random.rayTowards({0.0f, 0.0f, 0.0f}, 1.0f, 4.0f);
+    ray.time = 0.9f * static_cast<float>(round) / 300.0f;
     const LeafHit expected = oneByOne(shapes, ray);
     ASSERT_NO_FATAL_FAILURE(expectMeets<Lanes<4>>(cluster, ray, expected));
     ASSERT_NO_FATAL_FAILURE(expectMeets<Lanes<8>>(cluster, ray, expected));
@@ -57,6 +58,9 @@ void expectClusterIsLoop(unsigned seed, int count, const Make& make) {
 }
 
 Sphere<float> randomSphere(Random& random) { return {random.point(1.5f), random.uniform(0.1f, 0.5f)}; }
+MovingSphere<float> randomMovingSphere(Random& random) {
+  return {random.point(1.5f), random.point(1.0f), random.uniform(0.1f, 0.5f)};
+}
 Quad<float> randomQuad(Random& random) { return {random.point(1.5f), random.direction(), random.direction()}; }
 AlignedQuad randomAlignedQuad(Random& random) {
   const auto axis = [](int i) { return Vec3f{i == 0 ? 1.0f : 0.0f, i == 1 ? 1.0f : 0.0f, i == 2 ? 1.0f : 0.0f}; };
@@ -68,6 +72,7 @@ AlignedQuad randomAlignedQuad(Random& random) {
 TEST(Cluster, IsALoopOverItsPrimitives) {
   for (const int count : {1, 3, 8, 9, 16}) {
     expectClusterIsLoop<SphereLeaf>(1, count, randomSphere);
+    expectClusterIsLoop<MovingSphereLeaf>(1, count, randomMovingSphere);
     expectClusterIsLoop<QuadLeaf>(2, count, randomQuad);
     expectClusterIsLoop<AlignedQuadLeaf>(3, count, randomAlignedQuad);
   }
@@ -246,12 +251,17 @@ TEST(ClusterSet, CullingByBoundsChangesNoHit) {
   SphereSet balls;
   balls.add({0.0f, -100.0f, 0.0f}, 99.0f);  // a cluster of its own
   for (int i = 0; i < 1500; ++i) balls.add(random.point(4.0f), random.uniform(0.02f, 0.1f));
+  SphereSet rising;
+  for (int i = 0; i < 500; ++i) {
+    const Vec3f from = random.point(4.0f);
+    rising.addMoving(from, from + random.point(0.5f), random.uniform(0.02f, 0.1f));
+  }
   BoxSet boxes;
   for (int i = 0; i < 200; ++i) boxes.addRotatedY(random.point(4.0f), {0.1f, 0.2f, 0.05f}, random.uniform(0.0f, 90.0f));
   QuadSet walls;
   for (int i = 0; i < 40; ++i) walls.add(random.point(4.0f), {0.3f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.4f});
   const std::vector<Id> shapes{scene.addShape("balls", balls, kNone), scene.addShape("boxes", boxes, kNone),
-                               scene.addShape("walls", walls, kNone)};
+                               scene.addShape("walls", walls, kNone), scene.addShape("rising", rising, kNone)};
   const ClusterSet all(scene, shapes);
   ClusterSet culled(scene, shapes);
   culled.cullByBounds(1e-5f);
@@ -261,6 +271,7 @@ TEST(ClusterSet, CullingByBoundsChangesNoHit) {
     Ray<float> ray = random.rayTowards({0.0f, 0.0f, 0.0f}, 4.0f, 6.0f);
     if (i % 3 == 0) ray.tMax = random.uniform(0.1f, 8.0f);
     if (i % 5 == 0) ray.direction.y = 0.0f;
+    ray.time = random.uniform(0.0f, 0.99f);
     LeafHit expected, hit;
     all.nearest(ray, kNone, expected);
     culled.nearest(ray, kNone, hit);

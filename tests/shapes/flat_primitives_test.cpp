@@ -29,7 +29,7 @@ SceneDescription mixedScene() {
   SceneDescription scene;
   for (int round = 0; round < 2; ++round) {
     QuadSet quads, walls;
-    SphereSet spheres;
+    SphereSet spheres, rising;
     BoxSet upright, turned;
     DiskSet disks;
     TriangleMesh mesh;
@@ -38,6 +38,8 @@ SceneDescription mixedScene() {
       const Vec3f edges = number.point(2.0f);
       walls.add(number.point(2.0f), {0.0f, edges.x, 0.0f}, {i == 0 ? edges.y : 0.0f, 0.0f, i == 0 ? 0.0f : edges.z});
       spheres.add(number.point(2.0f), number(0.2f, 0.8f));
+      const Vec3f start = number.point(2.0f);
+      rising.addMoving(start, start + number.point(1.0f), 0.5f);
       upright.addRotatedY(number.point(2.0f), {0.3f, 0.5f, 0.2f}, number(0.0f, 90.0f));
       turned.addRotatedY(number.point(2.0f), {0.4f, 0.2f, 0.3f}, 30.0f);
       turned.rotationX.back() = 0.3f;
@@ -55,6 +57,7 @@ SceneDescription mixedScene() {
       scene.addShape("one wall", quads, 7);
     }
     scene.addShape("spheres", spheres, 1);
+    scene.addShape("rising", rising, 8);
     scene.addShape("upright", upright, 2);
     scene.addShape("turned", turned, 3);
     scene.addShape("disks", disks, 4);
@@ -82,7 +85,9 @@ TEST(FlatPrimitives, FindTheHitsOfClusters) {
     Ray<F> rays;
     for (int i = 0; i < 8; ++i) {
       const Vec3f from = number.point(4.0f);
-      setLane(rays, i, {from, normalize(number.point(2.0f) - from), i % 4 == 0 ? number(1.0f, 6.0f) : kInfinity});
+      setLane(rays, i,
+              {from, normalize(number.point(2.0f) - from), i % 4 == 0 ? number(1.0f, 6.0f) : kInfinity,
+               number(0.0f, 0.99f)});
     }
     Mask<8> active(true);
     active.set(3, round % 2 == 0);
