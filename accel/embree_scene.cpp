@@ -4,6 +4,7 @@
 
 #include <cstring>
 
+#include "steradian/accel/surface_point_of.h"
 #include "steradian/core/diagnostics.h"
 
 namespace steradian::embree {
@@ -32,22 +33,21 @@ Ray<float> fromEmbree(const RTCRay& r) {
   return {{r.org_x, r.org_y, r.org_z}, {r.dir_x, r.dir_y, r.dir_z}, r.tfar, r.time, r.tnear};
 }
 
-/// Queries are for one ray at a time, so the N of Embree's argument blocks is 1, and a block of one is a plain record.
-void boundsOfCluster(const RTCBoundsFunctionArguments* args) {
-  const auto& geometry = *static_cast<const ClusterGeometry*>(args->geometryUserPtr);
-  const Bounds3& b = geometry.clusters->bounds(args->primID);
-  RTCBounds& out = *args->bounds_o;
-  out.lower_x = b.low.x - geometry.padding;
-  out.lower_y = b.low.y - geometry.padding;
-  out.lower_z = b.low.z - geometry.padding;
-  out.upper_x = b.high.x + geometry.padding;
-  out.upper_y = b.high.y + geometry.padding;
-  out.upper_z = b.high.z + geometry.padding;
+// Queries are for one ray at a time, so the N of Embree's argument blocks is 1, and a block of one is a plain record.
+
+void storeBounds(const Bounds3& b, float padding, RTCBounds& out) {
+  out.lower_x = b.low.x - padding;
+  out.lower_y = b.low.y - padding;
+  out.lower_z = b.low.z - padding;
+  out.upper_x = b.high.x + padding;
+  out.upper_y = b.high.y + padding;
+  out.upper_z = b.high.z + padding;
 }
 
-void intersectCluster(const RTCIntersectFunctionNArguments* args) {
+/// Calls nearest(ray, instance, best) for Embree's ray and nearest hit so far, and tells Embree about a better one.
+template <class Nearest>
+void updateHit(const RTCIntersectFunctionNArguments* args, const Nearest& nearest) {
   if (!args->valid[0]) return;
-  const auto& geometry = *static_cast<const ClusterGeometry*>(args->geometryUserPtr);
   RTCRayHit& rayHit = *reinterpret_cast<RTCRayHit*>(args->rayhit);
   RTCHit& hit = rayHit.hit;
   Ray<float> ray = fromEmbree(rayHit.ray);
@@ -58,7 +58,7 @@ void intersectCluster(const RTCIntersectFunctionNArguments* args) {
     ray.tMax = floatOf(bitsOf(ray.tMax) + 1u);
   }
   const LeafHit before = best;
-  geometry.clusters->nearest(args->primID, ray, args->context->instID[0], best);
+  nearest(ray, args->context->instID[0], best);
   if (best.t == before.t && best.shape == before.shape && best.primitive == before.primitive &&
       best.instance == before.instance) {
     return;
@@ -71,11 +71,54 @@ void intersectCluster(const RTCIntersectFunctionNArguments* args) {
   hit.instID[0] = best.instance;
 }
 
-void occludedByCluster(const RTCOccludedFunctionNArguments* args) {
+/// any(ray): is Embree's ray occluded?
+template <class Any>
+void updateOcclusion(const RTCOccludedFunctionNArguments* args, const Any& any) {
   if (!args->valid[0]) return;
-  const auto& geometry = *static_cast<const ClusterGeometry*>(args->geometryUserPtr);
   RTCRay& ray = *reinterpret_cast<RTCRay*>(args->ray);
-  if (geometry.clusters->any(args->primID, fromEmbree(ray))) ray.tfar = -kInfinity;
+  if (any(fromEmbree(ray))) ray.tfar = -kInfinity;
+}
+
+void boundsOfCluster(const RTCBoundsFunctionArguments* args) {
+  const auto& geometry = *static_cast<const ClusterGeometry*>(args->geometryUserPtr);
+  storeBounds(geometry.clusters->bounds(args->primID), geometry.padding, *args->bounds_o);
+}
+void intersectCluster(const RTCIntersectFunctionNArguments* args) {
+  const auto& geometry = *static_cast<const ClusterGeometry*>(args->geometryUserPtr);
+  updateHit(args, [&](const Ray<float>& ray, std::uint32_t instance, LeafHit& best) {
+    geometry.clusters->nearest(args->primID, ray, instance, best);
+  });
+}
+void occludedByCluster(const RTCOccludedFunctionNArguments* args) {
+  const auto& geometry = *static_cast<const ClusterGeometry*>(args->geometryUserPtr);
+  updateOcclusion(args, [&](const Ray<float>& ray) { return geometry.clusters->any(args->primID, ray); });
+}
+
+Ray<float> localRay(const MovingGeometry::Item& item, const Ray<float>& ray) {
+  return transformed(ray, affineInverse(item.localToWorld->at(ray.time)));
+}
+
+void boundsOfMoving(const RTCBoundsFunctionArguments* args) {
+  const auto& geometry = *static_cast<const MovingGeometry*>(args->geometryUserPtr);
+  storeBounds(geometry.items[args->primID].bounds, geometry.padding, *args->bounds_o);
+}
+void intersectMoving(const RTCIntersectFunctionNArguments* args) {
+  const MovingGeometry::Item& item = static_cast<const MovingGeometry*>(args->geometryUserPtr)->items[args->primID];
+  updateHit(args, [&](const Ray<float>& ray, std::uint32_t around, LeafHit& best) {
+    const std::uint32_t instance = item.instance != kNone ? item.instance : around;
+    const Ray<float> local = localRay(item, ray);
+    if (item.clusters) return item.clusters->nearest(local, instance, best);
+    LeafHit hit = intersect(*item.scene, local);
+    hit.instance = instance;
+    if (hit.found() && (hit.t < best.t || (hit.t == best.t && comesFirst(hit, best)))) best = hit;
+  });
+}
+void occludedByMoving(const RTCOccludedFunctionNArguments* args) {
+  const MovingGeometry::Item& item = static_cast<const MovingGeometry*>(args->geometryUserPtr)->items[args->primID];
+  updateOcclusion(args, [&](const Ray<float>& ray) {
+    const Ray<float> local = localRay(item, ray);
+    return item.clusters ? item.clusters->any(local) : occluded(*item.scene, local);
+  });
 }
 
 /// A geometry under construction; the scene keeps it alive once attached.
@@ -141,12 +184,21 @@ Scene::Scene(const Device& device, bool robust) : scene_(rtcNewScene(device.get(
 }
 
 void Scene::attachClusters(const Device& device, const ClusterGeometry& geometry, std::uint32_t id) {
+  attachUser(device, geometry.clusters->size(), &geometry, boundsOfCluster, intersectCluster, occludedByCluster, id);
+}
+
+void Scene::attachMoving(const Device& device, const MovingGeometry& geometry, std::uint32_t id) {
+  attachUser(device, geometry.items.size(), &geometry, boundsOfMoving, intersectMoving, occludedByMoving, id);
+}
+
+void Scene::attachUser(const Device& device, std::size_t count, const void* data, RTCBoundsFunction bounds,
+                       RTCIntersectFunctionN intersect, RTCOccludedFunctionN occluded, std::uint32_t id) {
   NewGeometry user(device, RTC_GEOMETRY_TYPE_USER);
-  rtcSetGeometryUserPrimitiveCount(user.get(), geometry.clusters->size());
-  rtcSetGeometryUserData(user.get(), const_cast<ClusterGeometry*>(&geometry));
-  rtcSetGeometryBoundsFunction(user.get(), boundsOfCluster, nullptr);
-  rtcSetGeometryIntersectFunction(user.get(), intersectCluster);
-  rtcSetGeometryOccludedFunction(user.get(), occludedByCluster);
+  rtcSetGeometryUserPrimitiveCount(user.get(), static_cast<unsigned int>(count));
+  rtcSetGeometryUserData(user.get(), const_cast<void*>(data));
+  rtcSetGeometryBoundsFunction(user.get(), bounds, nullptr);
+  rtcSetGeometryIntersectFunction(user.get(), intersect);
+  rtcSetGeometryOccludedFunction(user.get(), occluded);
   user.attach(scene_.get(), id);
 }
 

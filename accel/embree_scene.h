@@ -1,5 +1,5 @@
 #pragma once
-/// Embree's objects as values, and our clusters as its user geometry. Only files of this folder see it.
+/// Embree's objects as values, and our clusters and what moves as its user geometry. Only files of this folder see it.
 #include <atomic>
 #include <memory>
 #include <mutex>
@@ -7,6 +7,7 @@
 
 #include "steradian/accel/embree_api.h"
 #include "steradian/accel/shapes/cluster_set.h"
+#include "steradian/core/motion.h"
 
 namespace steradian::embree {
 
@@ -39,6 +40,22 @@ struct ClusterGeometry {
   float padding;  ///< bounds are this much wider on every side; scene units
 };
 
+class Scene;
+
+/// Copies that move: a ray meets each in the copy's own space at the ray's time. (Embree would interpolate by itself,
+/// but with other roundings than surface points have.)
+struct MovingGeometry {
+  struct Item {
+    const MovingTransform* localToWorld;
+    Bounds3 bounds;              ///< at all times
+    const ClusterSet* clusters;  ///< what is copied, to be met without a hierarchy; or null:
+    const Scene* scene;          ///< ... the hierarchy of it
+    std::uint32_t instance;      ///< of hits; kNone: the one that the copy itself is met in
+  };
+  std::vector<Item> items;
+  float padding = 0.0f;  ///< bounds are this much wider on every side; scene units
+};
+
 /// One hierarchy.
 class Scene {
  public:
@@ -50,6 +67,8 @@ class Scene {
   /// The primitives of `geometry`, as a user geometry of this id. Hits carry the shape as geomID, its primitive as
   /// primID. `geometry` must outlive the scene.
   void attachClusters(const Device& device, const ClusterGeometry& geometry, std::uint32_t id);
+  /// Items must all be there, and `geometry` outlive the scene.
+  void attachMoving(const Device& device, const MovingGeometry& geometry, std::uint32_t id);
   void attachTriangles(const Device& device, const TriangleMesh& mesh, std::uint32_t id);
   void attachInstance(const Device& device, const Scene& group, const Matrix& localToWorld, std::uint32_t id);
   /// Builds the hierarchy with the threads of the caller's arena.
@@ -59,6 +78,9 @@ class Scene {
   struct Release {
     void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
   };
+  void attachUser(const Device& device, std::size_t count, const void* data, RTCBoundsFunction bounds,
+                  RTCIntersectFunctionN intersect, RTCOccludedFunctionN occluded, std::uint32_t id);
+
   std::unique_ptr<RTCSceneTy, Release> scene_;
 };
 

@@ -19,7 +19,20 @@ struct Hierarchy {
   Bounds3 bounds;          ///< of its own shapes
   ClusterSet clusters;
   embree::ClusterGeometry forEmbree{};
+  /// Shapes that move: each has a hierarchy of its own, in the shape's space.
+  struct Moving {
+    Id shape;
+    std::unique_ptr<Hierarchy> hierarchy;
+  };
+  std::vector<Moving> moving;
+  embree::MovingGeometry copies;  ///< what moves through this one
   embree::Scene scene;
+
+  std::size_t bytes() const {
+    std::size_t sum = clusters.bytes() + copies.items.capacity() * sizeof(copies.items[0]);
+    for (const Moving& m : moving) sum += m.hierarchy->bytes();
+    return sum;
+  }
 };
 
 /// So many clusters are met faster than their bounds (BENCHMARKS.md).
@@ -64,7 +77,10 @@ void count(const ShapeGeometry& geometry, GeometryStatistics& statistics) {
 
 struct Geometry::Implementation {
   std::shared_ptr<const SceneDescription> description;
-  std::vector<Matrix> transforms, inverses;
+  std::vector<Matrix> transforms, inverses;  ///< of instances; of those that move at time 0
+  /// What shapes and instances move by; the numbers of theirs, or kNone. No numbers: none moves.
+  std::vector<MovingTransform> motions;
+  std::vector<std::uint32_t> motionOfShape, motionOfInstance;
   /// By shape: where a large set is in its clusters (see ClusterSet::placesOf); null for others.
   struct Places {
     const ClusterSet* clusters = nullptr;
@@ -74,6 +90,7 @@ struct Geometry::Implementation {
   Bounds3 bounds;
   GeometryStatistics statistics;
   Isa isa = Isa::Baseline;
+  std::uint32_t directClusters = 0;
   // Destroyed in reverse order: scenes before their device.
   std::unique_ptr<embree::Device> device;  ///< none: the world's clusters are tested one after the other
   std::optional<FlatPrimitives> flat;      ///< only then
@@ -81,10 +98,27 @@ struct Geometry::Implementation {
   Hierarchy world;
 
   std::uint32_t clustersId() const { return static_cast<std::uint32_t>(description->shapes.size()); }
-  std::uint32_t firstInstanceId() const { return clustersId() + 1; }
+  std::uint32_t movingId() const { return clustersId() + 1; }
+  std::uint32_t firstInstanceId() const { return clustersId() + 2; }
 
+  /// Null if the shape, or the instance, does not move.
+  const MovingTransform* motionOf(const std::vector<std::uint32_t>& numbers, std::uint32_t i) const {
+    return numbers.empty() || numbers[i] == kNone ? nullptr : &motions[numbers[i]];
+  }
+  void addMotion(const Motion& motion, std::vector<std::uint32_t>& numbers, std::size_t i) {
+    numbers.resize(std::max(numbers.size(), i + 1), kNone);
+    numbers[i] = static_cast<std::uint32_t>(motions.size());
+    motions.emplace_back(motion);
+  }
+
+  void findMotions();
   void gather(Hierarchy& hierarchy, std::span<const Id> shapes, bool clusterMeshes);
+  /// The same without regard to how the shapes move.
+  void gatherStill(Hierarchy& hierarchy, std::span<const Id> shapes, bool clusterMeshes);
+  /// The point in the space of the shape, of the group, of the world.
   SurfacePoint<float> localPoint(const Ray<float>& ray, const Hit<float>& hit) const;
+  SurfacePoint<float> groupPoint(const Ray<float>& ray, const Hit<float>& hit) const;
+  SurfacePoint<float> worldPoint(const Ray<float>& ray, const Hit<float>& hit) const;
   void placeInstances();
   /// Whatever rays start from: the camera, and the surfaces.
   Bounds3 origins() const {
@@ -93,10 +127,52 @@ struct Geometry::Implementation {
     return all;
   }
   void buildHierarchies();
-  void build(Hierarchy& hierarchy, float padding);
+  /// Clusters, meshes and moving shapes; rays come from points whose coordinates are at most `magnitude`.
+  void build(Hierarchy& hierarchy, float magnitude);
+  void commit(Hierarchy& hierarchy);
+  /// So small that what moves is met without its hierarchy.
+  bool isMetDirectly(const Hierarchy& hierarchy) const {
+    return hierarchy.meshes.empty() && hierarchy.moving.empty() && hierarchy.clusters.size() <= directClusters;
+  }
+  void addCopy(Hierarchy& around, const MovingTransform& motion, const Hierarchy& of, std::uint32_t instance) const;
 };
 
+void Geometry::Implementation::findMotions() {
+  for (std::size_t i = 0; i < description->shapes.size(); ++i) {
+    const ShapeDescription& shape = description->shapes[i];
+    if (!shape.motion) continue;
+    for (const Matrix& key : {shape.motion->open, shape.motion->close}) inverseOf(key, shape.where);  // or an error
+    addMotion(*shape.motion, motionOfShape, i);
+  }
+  if (!motionOfShape.empty()) motionOfShape.resize(description->shapes.size(), kNone);
+  std::size_t flatIndex = 0;
+  for (const InstanceSet& set : description->instances) {
+    for (std::size_t i = 0; i < set.transforms.size(); ++i, ++flatIndex) {
+      if (set.closing.empty() || set.closing[i] == set.transforms[i]) continue;
+      inverseOf(set.closing[i], set.where);  // or an error
+      addMotion({set.transforms[i], set.closing[i]}, motionOfInstance, flatIndex);
+    }
+  }
+  if (!motionOfInstance.empty()) motionOfInstance.resize(flatIndex, kNone);
+}
+
 void Geometry::Implementation::gather(Hierarchy& hierarchy, std::span<const Id> shapes, bool clusterMeshes) {
+  std::vector<Id> still;
+  for (const Id shape : shapes) {
+    const MovingTransform* motion = motionOf(motionOfShape, shape);
+    if (!motion) {
+      still.push_back(shape);
+      continue;
+    }
+    hierarchy.moving.push_back({shape, std::make_unique<Hierarchy>()});
+    Hierarchy& own = *hierarchy.moving.back().hierarchy;
+    gatherStill(own, std::span(&shape, 1), clusterMeshes);
+    hierarchy.bounds.include(motion->bounds(own.bounds));
+  }
+  gatherStill(hierarchy, still, clusterMeshes);
+}
+
+void Geometry::Implementation::gatherStill(Hierarchy& hierarchy, std::span<const Id> shapes, bool clusterMeshes) {
   std::vector<Id> clustered;
   for (const Id shape : shapes) {
     const ShapeDescription& s = description->shapes[shape];
@@ -129,19 +205,47 @@ SurfacePoint<float> Geometry::Implementation::localPoint(const Ray<float>& ray, 
   return localSurfacePoint(description->shapes[hit.shape], ray, hit);
 }
 
+SurfacePoint<float> Geometry::Implementation::groupPoint(const Ray<float>& ray, const Hit<float>& hit) const {
+  const MovingTransform* motion = motionOf(motionOfShape, hit.shape);
+  if (!motion) return localPoint(ray, hit);
+  // As in the query, to the bit.
+  const Matrix matrix = motion->at(ray.time), inverse = affineInverse(matrix);
+  return transformed(localPoint(transformed(ray, inverse), hit), matrix, inverse);
+}
+
+SurfacePoint<float> Geometry::Implementation::worldPoint(const Ray<float>& ray, const Hit<float>& hit) const {
+  if (hit.instance == kNone) return groupPoint(ray, hit);
+  if (const MovingTransform* motion = motionOf(motionOfInstance, hit.instance)) {
+    const Matrix matrix = motion->at(ray.time), inverse = affineInverse(matrix);
+    return transformed(groupPoint(transformed(ray, inverse), hit), matrix, inverse);
+  }
+  const Matrix& inverse = inverses[hit.instance];
+  return transformed(groupPoint(transformed(ray, inverse), hit), transforms[hit.instance], inverse);
+}
+
 void Geometry::Implementation::placeInstances() {
   bounds = world.bounds;
   for (const InstanceSet& set : description->instances) {
     for (const Matrix& matrix : set.transforms) {
       transforms.push_back(matrix);
       inverses.push_back(inverseOf(matrix, set.where));
-      bounds.include(transformedBounds(groups[set.group]->bounds, matrix));
+      const MovingTransform* motion = motionOf(motionOfInstance, static_cast<std::uint32_t>(transforms.size() - 1));
+      const Bounds3& local = groups[set.group]->bounds;
+      bounds.include(motion ? motion->bounds(local) : transformedBounds(local, matrix));
     }
   }
   statistics.instances = transforms.size();
 }
 
-void Geometry::Implementation::build(Hierarchy& hierarchy, float padding) {
+void Geometry::Implementation::addCopy(Hierarchy& around, const MovingTransform& motion, const Hierarchy& of,
+                                       std::uint32_t instance) const {
+  const bool direct = isMetDirectly(of);
+  around.copies.items.push_back(
+      {&motion, motion.bounds(of.bounds), direct ? &of.clusters : nullptr, direct ? nullptr : &of.scene, instance});
+}
+
+void Geometry::Implementation::build(Hierarchy& hierarchy, float magnitude) {
+  const float padding = paddingFor(magnitude);
   hierarchy.scene = embree::Scene(*device, !hierarchy.meshes.empty());
   if (hierarchy.clusters.size() > 0) {
     hierarchy.forEmbree = {&hierarchy.clusters, padding};
@@ -150,32 +254,67 @@ void Geometry::Implementation::build(Hierarchy& hierarchy, float padding) {
   for (const Id mesh : hierarchy.meshes) {
     hierarchy.scene.attachTriangles(*device, std::get<TriangleMesh>(description->shapes[mesh].geometry), mesh);
   }
+  hierarchy.copies.padding = padding;
+  for (const Hierarchy::Moving& moving : hierarchy.moving) {
+    const MovingTransform& motion = *motionOf(motionOfShape, moving.shape);
+    Hierarchy& own = *moving.hierarchy;
+    const float ownMagnitude = motion.localMagnitude(magnitude);
+    if (!isMetDirectly(own)) {
+      build(own, ownMagnitude);
+      commit(own);
+    } else if (own.clusters.size() > kMeetAll) {
+      own.clusters.cullByBounds(paddingFor(ownMagnitude));
+    }
+    own.clusters.dropBounds();
+    addCopy(hierarchy, motion, own, kNone);
+  }
+}
+
+void Geometry::Implementation::commit(Hierarchy& hierarchy) {
+  if (!hierarchy.copies.items.empty()) hierarchy.scene.attachMoving(*device, hierarchy.copies, movingId());
+  hierarchy.scene.commit();
 }
 
 void Geometry::Implementation::buildHierarchies() {
   const Bounds3 origins = this->origins();
-  std::vector<float> groupMagnitudes(groups.size(), 0.0f);
-  std::size_t flatIndex = 0;
+  const float magnitude = origins.magnitude();
+  struct Use {
+    float magnitude = 0.0f;
+    bool moves = false;
+  };
+  std::vector<Use> uses(groups.size());
+  std::uint32_t flatIndex = 0;
   for (const InstanceSet& set : description->instances) {
-    float& magnitude = groupMagnitudes[set.group];
-    for (std::size_t i = 0; i < set.transforms.size(); ++i) {
-      magnitude = maximum(magnitude, transformedBounds(origins, inverses[flatIndex++]).magnitude());
+    Use& use = uses[set.group];
+    for (std::size_t i = 0; i < set.transforms.size(); ++i, ++flatIndex) {
+      const MovingTransform* motion = motionOf(motionOfInstance, flatIndex);
+      const float inGroup =
+          motion ? motion->localMagnitude(magnitude) : transformedBounds(origins, inverses[flatIndex]).magnitude();
+      use.magnitude = maximum(use.magnitude, inGroup);
+      use.moves = use.moves || motion;
     }
   }
   for (std::size_t g = 0; g < groups.size(); ++g) {
-    build(*groups[g], paddingFor(groupMagnitudes[g]));
-    groups[g]->scene.commit();
-    groups[g]->clusters.dropBounds();
+    Hierarchy& group = *groups[g];
+    build(group, uses[g].magnitude);
+    commit(group);
+    if (uses[g].moves && isMetDirectly(group) && group.clusters.size() > kMeetAll)
+      group.clusters.cullByBounds(paddingFor(uses[g].magnitude));
+    group.clusters.dropBounds();
   }
-  build(world, paddingFor(origins.magnitude()));
+  build(world, magnitude);
   flatIndex = 0;
   for (const InstanceSet& set : description->instances) {
     for (const Matrix& matrix : set.transforms) {
-      const auto id = firstInstanceId() + static_cast<std::uint32_t>(flatIndex++);
-      world.scene.attachInstance(*device, groups[set.group]->scene, matrix, id);
+      const std::uint32_t id = firstInstanceId() + flatIndex;
+      if (const MovingTransform* motion = motionOf(motionOfInstance, flatIndex++)) {
+        addCopy(world, *motion, *groups[set.group], id);
+      } else {
+        world.scene.attachInstance(*device, groups[set.group]->scene, matrix, id);
+      }
     }
   }
-  world.scene.commit();
+  commit(world);
   device->check();
 }
 
@@ -188,6 +327,7 @@ Geometry::Geometry(std::shared_ptr<const SceneDescription> scene, GeometrySettin
   self.description = std::move(scene);
   requireUsable(settings.isa);
   self.isa = settings.isa;
+  self.directClusters = settings.directClusters;
   const SceneDescription& description = *self.description;
   self.places.resize(description.shapes.size());
   std::vector<bool> grouped(description.shapes.size(), false);
@@ -199,6 +339,7 @@ Geometry::Geometry(std::shared_ptr<const SceneDescription> scene, GeometrySettin
     count(description.shapes[i].geometry, self.statistics);
     if (!grouped[i]) placed.push_back(static_cast<Id>(i));
   }
+  self.findMotions();
   const bool clusterMeshes = self.statistics.triangles <= settings.clusteredTriangles;
   for (const Group& group : description.groups) {
     self.groups.push_back(std::make_unique<Hierarchy>());
@@ -206,8 +347,7 @@ Geometry::Geometry(std::shared_ptr<const SceneDescription> scene, GeometrySettin
   }
   self.gather(self.world, placed, clusterMeshes);
   self.placeInstances();
-  const bool direct =
-      self.transforms.empty() && self.world.meshes.empty() && self.world.clusters.size() <= settings.directClusters;
+  const bool direct = self.transforms.empty() && self.isMetDirectly(self.world);
   if (!direct) {
     self.device = std::make_unique<embree::Device>();
     self.buildHierarchies();
@@ -216,9 +356,10 @@ Geometry::Geometry(std::shared_ptr<const SceneDescription> scene, GeometrySettin
     if (FlatPrimitives::holds(description, placed)) self.flat.emplace(description, placed);
   }
   self.world.clusters.dropBounds();
-  self.statistics.bytes = self.world.clusters.bytes() + (self.device ? self.device->bytes() : 0) +
-                          (self.transforms.capacity() + self.inverses.capacity()) * sizeof(Matrix);
-  for (const auto& group : self.groups) self.statistics.bytes += group->clusters.bytes();
+  self.statistics.bytes = self.world.bytes() + (self.device ? self.device->bytes() : 0) +
+                          (self.transforms.capacity() + self.inverses.capacity()) * sizeof(Matrix) +
+                          self.motions.capacity() * sizeof(MovingTransform);
+  for (const auto& group : self.groups) self.statistics.bytes += group->bytes();
   self.statistics.buildSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
@@ -250,13 +391,7 @@ SurfacePoint<float> Geometry::surfacePoint(const Ray<float>& ray, const Hit<floa
   if (!hit.valid) return {};
   const Implementation& self = *implementation_;
   const ShapeDescription& shape = self.description->shapes[hit.shape];
-  SurfacePoint<float> point;
-  if (hit.instance == kNone) {
-    point = self.localPoint(ray, hit);
-  } else {
-    const Matrix& inverse = self.inverses[hit.instance];
-    point = transformed(self.localPoint(transformed(ray, inverse), hit), self.transforms[hit.instance], inverse);
-  }
+  SurfacePoint<float> point = self.worldPoint(ray, hit);
   point.distance = hit.t;
   point.shape = hit.shape;
   point.primitive = hit.primitive;

@@ -20,9 +20,10 @@ class FlatPrimitives;
 std::string_view embreeVersion();
 
 struct GeometrySettings {
-  /// Scenes of at most this many clusters (and no instances or native triangles) do without a hierarchy: a ray meets
-  /// the bounds of 4 to 16 clusters at once, and those clusters that it may hit. Faster up to there (BENCHMARKS.md).
-  /// Hits are the same either way.
+  /// Scenes of at most this many clusters (and no instances, native triangles or shapes with a motion) do without a
+  /// hierarchy: a ray meets the bounds of 4 to 16 clusters at once, and those clusters that it may hit. So do shapes
+  /// and groups that move, within the hierarchy that they move through. Faster up to there (BENCHMARKS.md). Hits are
+  /// the same either way.
   std::uint32_t directClusters = 64;
   /// Meshes join the clusters if a scene has at most this many triangles in all: one hierarchy in place of two.
   /// Otherwise Embree keeps them, which is a tenth faster for twice the memory.
@@ -43,7 +44,8 @@ struct GeometryStatistics {
 
 /// Immutable; queries from any number of threads at once. Render tasks hold a FlushDenormals (core/float_mode.h) while
 /// they ask. Same bits for any number of threads; for scenes without instances and native triangles also for any
-/// layout: of equally near hits the smaller (shape, primitive) wins.
+/// layout: of equally near hits the smaller (shape, primitive) wins. What moves is met where it is at the ray's time;
+/// a shape that moves by itself is still placed directly, and its hits have no instance.
 class Geometry {
  public:
   /// Builds with the threads of the caller's arena. The description must be valid (see validate) and is kept: surface
@@ -67,7 +69,8 @@ class Geometry {
 
   /// Bounds of all surfaces in the world; empty for a scene without.
   Bounds3 bounds() const;
-  /// Local to world, by flattened instance index: the instance sets in order, their transforms in order.
+  /// Local to world, by flattened instance index: the instance sets in order, their transforms in order. Of those that
+  /// move, at time 0.
   std::span<const Matrix> instanceTransforms() const;
   GeometryStatistics statistics() const;
   Isa isa() const;

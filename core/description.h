@@ -195,8 +195,8 @@ struct Group {
 struct InstanceSet {
   Id group = kNone;
   std::vector<Matrix> transforms;
-  std::vector<Matrix> closing;  ///< at time 1, when `transforms` are those of time 0 (see Motion); or nothing moves
-  SourceRange where;
+  std::vector<Matrix> closing{};  ///< at time 1, when `transforms` are those of time 0 (see Motion); or nothing moves
+  SourceRange where{};
 };
 
 // --- Lights -----------------------------------------------------------------------------------------------------
