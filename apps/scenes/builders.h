@@ -22,9 +22,13 @@ SceneDescription oneWeekendPicture(std::uint32_t picture);
 SceneDescription checkeredSpheres();
 /// With the picture of earth_picture.h in the place of the book's photograph.
 SceneDescription earth();
+ImageTexture earthTexture();
 SceneDescription perlinSpheres();
 SceneDescription quads();
 SceneDescription simpleLight();
+
+// next_week_final.cpp: the cube of spheres as an instance, or sphere by sphere
+SceneDescription nextWeekFinal(bool instanced);
 
 // cornell.cpp: the Cornell boxes of "The Next Week" and "The Rest of Your Life"
 SceneDescription cornellOriginal();

@@ -38,10 +38,13 @@ SceneDescription checkeredSpheres() {
   return scene;
 }
 
+ImageTexture earthTexture() {
+  return {.name = "a map made of noise", .image = std::make_shared<const Image>(earthPicture())};
+}
+
 SceneDescription earth() {
   SceneDescription scene;
-  const Id map = scene.addTexture(
-      ImageTexture{.name = "a map made of noise", .image = std::make_shared<const Image>(earthPicture())});
+  const Id map = scene.addTexture(earthTexture());
   SphereSet globe;
   globe.add({0.0f, 0.0f, 0.0f}, 2.0f);
   scene.addShape("globe", std::move(globe), scene.addMaterial("earth", LambertMaterial{map}));
