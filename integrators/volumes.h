@@ -25,6 +25,15 @@ class Bodies {
   /// So many can be told apart; those entered while there are as many are not noticed.
   static constexpr std::uint32_t kMost = 16;
 
+  Bodies() = default;
+  Bodies(const Bodies& other) { *this = other; }
+  /// Copies those that there are: mostly one or two.
+  Bodies& operator=(const Bodies& other) {
+    count_ = other.count_;
+    for (std::uint32_t i = 0; i < count_; ++i) bodies_[i] = other.bodies_[i];
+    return *this;
+  }
+
   void enter(const Body& body);
   void leave(const Body& body);
   bool contains(const Body& body) const { return find(body) < count_; }
@@ -35,7 +44,7 @@ class Bodies {
  private:
   std::uint32_t find(const Body& body) const;
 
-  std::array<Body, kMost> bodies_;
+  std::array<Body, kMost> bodies_;  ///< the first count_ are there, others are not even initialised
   std::uint32_t count_ = 0;
 };
 

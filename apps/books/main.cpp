@@ -28,10 +28,10 @@ struct Options {
 int work(const Options& options, Arguments& arguments) {
   if (options.list) {
     for (const auto* pictures : {&restOfYourLife(), &oneWeekend()})
-      for (const Picture& picture : *pictures) printOut(fmt::format("{:<28} {}\n", picture.id, picture.title));
+      for (const books::Picture& picture : *pictures) printOut(fmt::format("{:<28} {}\n", picture.id, picture.title));
     return kExitSuccess;
   }
-  const Picture* only = nullptr;
+  const books::Picture* only = nullptr;
   if (options.only) {
     only = findPicture(*options.only);
     if (only == nullptr) arguments.problem(fmt::format("unknown picture \"{}\"; --list lists them", *options.only));
