@@ -391,7 +391,9 @@ SurfacePoint<float> Geometry::surfacePoint(const Ray<float>& ray, const Hit<floa
   if (!hit.valid) return {};
   const Implementation& self = *implementation_;
   const ShapeDescription& shape = self.description->shapes[hit.shape];
-  SurfacePoint<float> point = self.worldPoint(ray, hit);
+  // Most scenes are at rest, and without instances.
+  const bool local = hit.instance == kNone && self.motionOfShape.empty();
+  SurfacePoint<float> point = local ? self.localPoint(ray, hit) : self.worldPoint(ray, hit);
   point.distance = hit.t;
   point.shape = hit.shape;
   point.primitive = hit.primitive;

@@ -13,9 +13,9 @@
 #include "steradian/core/custom_shape.h"
 #include "steradian/core/diagnostics.h"
 #include "steradian/core/image.h"
+#include "steradian/core/motion.h"
 #include "steradian/core/spectrum.h"
 #include "steradian/core/surface_point.h"
-#include "steradian/core/transform.h"
 
 namespace steradian {
 
@@ -167,12 +167,6 @@ using ShapeGeometry = std::variant<SphereSet, QuadSet, BoxSet, DiskSet, Triangle
 std::size_t primitiveCount(const ShapeGeometry& geometry);
 /// The name users know a set's primitives by: "sphere", "quad", "box", "disk", "triangle", "custom".
 const char* primitiveName(const ShapeGeometry& geometry);
-
-/// Local to world, at time 0 and at time 1: affine, invertible. Between the two, translation, rotation and stretch are
-/// interpolated each for itself (Shoemake & Duff 1992).
-struct Motion {
-  Matrix open, close;
-};
 
 struct ShapeDescription {
   std::string name;

@@ -8,7 +8,6 @@
 
 #include "steradian/core/camera.h"
 #include "steradian/core/description.h"
-#include "steradian/core/motion.h"
 
 namespace steradian {
 

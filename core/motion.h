@@ -1,9 +1,14 @@
 #pragma once
 /// Transforms that change while the shutter is open, at any time of it.
-#include "steradian/core/bounds.h"
-#include "steradian/core/description.h"
+#include "steradian/core/transform.h"
 
 namespace steradian {
+
+/// Local to world, at time 0 and at time 1: affine, invertible, and both mirrors or neither. Between the two,
+/// translation, rotation and stretch are interpolated each for itself.
+struct Motion {
+  Matrix open, close;
+};
 
 /// A Motion, taken apart once: p' = p S(t) R(t) + T(t), with a symmetric stretch S, a rotation R and a translation T
 /// (polar decomposition: Shoemake & Duff 1992, "Matrix animation and polar decomposition"). S and T change linearly, R
@@ -13,7 +18,7 @@ namespace steradian {
 /// (affineInverse): then rounding errors are those of transforms that do not move.
 class MovingTransform {
  public:
-  /// Both keys are affine and invertible, and mirror both or neither (validate() sees to it).
+  /// The keys must be as Motion says (validate() sees to it).
   explicit MovingTransform(const Motion& motion);
 
   /// Local to world at `time` in [0, 1]. Where both keys are the same, exactly that.

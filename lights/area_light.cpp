@@ -25,7 +25,7 @@ AreaLight::AreaLight(SampledShape shape, const SurfaceEmission& emission)
 Emission<float> AreaLight::emission(const ScatterPoint<float>& from, Vec3f direction, Vec3f normal) const {
   const Rgb seen = radiance(direction, normal);
   if (isBlack(seen)) return {};
-  return {seen, shape_.pdfDirection(from.position, direction)};
+  return {seen, shape_.pdfDirection(from.position, direction, from.time)};
 }
 
 Rgb AreaLight::power() const { return radiance_ * (kPi * shape_.area() * (twoSided_ ? 2.0f : 1.0f)); }

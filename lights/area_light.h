@@ -1,5 +1,6 @@
 #pragma once
-/// A primitive that emits: constant radiance, from the side of its outward normal or from both.
+/// A primitive that emits: constant radiance, from the side of its outward normal or from both. One that moves is where
+/// it is at the time of the point that light is gathered at.
 #include "steradian/accel/shapes/sampled_shape_lanes.h"
 #include "steradian/core/description.h"
 #include "steradian/core/ray_offset.h"
@@ -23,7 +24,7 @@ class AreaLight {
     return twoSided_ || dot(direction, normal) < 0.0f ? radiance_ : Rgb{};
   }
 
-  /// W per channel, of both sides if both emit.
+  /// W per channel, of both sides if both emit. Of one that moves, at time 1/2.
   Rgb power() const;
 
   const SampledShape& shape() const { return shape_; }
@@ -49,9 +50,9 @@ F distanceError(const ScatterPoint<F>& from, F magnitude) {
 
 template <class F>
 LightSample<F> AreaLight::sample(const ScatterPoint<F>& from, Vec2<F> u) const {
-  const DirectionSample<F> s = sampleDirection(shape_, from.position, u);
+  const DirectionSample<F> s = sampleDirection(shape_, from.position, u, from.time);
   const Vec3<F> position = from.position + s.wi * s.distance;
-  const Vec3<F> normal = flat_ ? broadcast<F>(flatNormal_) : normalAt(shape_, position);
+  const Vec3<F> normal = flat_ ? broadcast<F>(flatNormal_) : normalAt(shape_, position, from.time);
   const F cosine = -dot(s.wi, normal);
   // A point on the emitter itself is off it by rounding only, and seems to see it; the shadow ray would start behind
   // it. Where the ray's origin is not on the side that the point was, there is no sample.

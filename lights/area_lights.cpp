@@ -21,15 +21,15 @@ AreaLights::AreaLights(const SceneDescription& scene)
     emits_[shape] = scene.shapes[shape].emission != kNone;
     if (!emits_[shape] || inGroup[shape]) continue;
     first_[shape] = static_cast<std::uint32_t>(lights_.size());
-    add(scene, shape, nullptr);
+    add(scene, shape, nullptr, 0);
   }
   Id instance = 0;
   for (const InstanceSet& set : scene.instances) {
-    for (const Matrix& localToWorld : set.transforms) {
+    for (std::size_t copy = 0; copy < set.transforms.size(); ++copy) {
       for (const Id shape : scene.groups[set.group].shapes) {
         if (!emits_[shape]) continue;
         instanced_.push_back({instance, shape, static_cast<std::uint32_t>(lights_.size())});
-        add(scene, shape, &localToWorld);
+        add(scene, shape, &set, copy);
       }
       ++instance;
     }
@@ -37,13 +37,12 @@ AreaLights::AreaLights(const SceneDescription& scene)
   std::sort(instanced_.begin(), instanced_.end());
 }
 
-void AreaLights::add(const SceneDescription& scene, Id shape, const Matrix* localToWorld) {
+void AreaLights::add(const SceneDescription& scene, Id shape, const InstanceSet* instances, std::size_t copy) {
   const ShapeDescription& description = scene.shapes[shape];
   const SurfaceEmission& emission = scene.emissions[description.emission];
   const std::size_t count = primitiveCount(description.geometry);
   for (std::size_t primitive = 0; primitive < count; ++primitive) {
-    const SampledShape local = sampledShapeOf(description.geometry, primitive);
-    lights_.emplace_back(localToWorld != nullptr ? transformed(local, *localToWorld) : local, emission);
+    lights_.emplace_back(sampledShapeOf(description, primitive, instances, copy), emission);
     shapes_.push_back(shape);
   }
 }

@@ -22,7 +22,7 @@ class AreaLights {
   std::optional<std::size_t> find(const SurfacePoint<float>& hit) const;
 
  private:
-  void add(const SceneDescription& scene, Id shape, const Matrix* localToWorld);
+  void add(const SceneDescription& scene, Id shape, const InstanceSet* instances, std::size_t copy);
 
   struct InstancedShape {
     Id instance, shape;

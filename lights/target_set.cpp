@@ -37,18 +37,18 @@ Object lightsOf(const SceneDescription& scene) {
 }
 
 void addShape(const SceneDescription& scene, Id shape, Object& object) {
-  const ShapeGeometry& geometry = scene.shapes[shape].geometry;
+  const ShapeDescription& description = scene.shapes[shape];
   const bool inGroup = shapesInGroups(scene)[shape];
-  for (std::size_t i = 0; i < primitiveCount(geometry); ++i) {
-    const SampledShape local = sampledShapeOf(geometry, i);
-    if (!inGroup) object.add(local, local.area());
+  const auto add = [&](SampledShape placed) {
+    const float area = placed.area();
+    object.add(std::move(placed), area);
+  };
+  for (std::size_t i = 0; i < primitiveCount(description.geometry); ++i) {
+    if (!inGroup) add(sampledShapeOf(description, i));
     for (const InstanceSet& set : scene.instances) {
       const std::vector<Id>& members = scene.groups[set.group].shapes;
       if (std::find(members.begin(), members.end(), shape) == members.end()) continue;
-      for (const Matrix& localToWorld : set.transforms) {
-        const SampledShape moved = transformed(local, localToWorld);
-        object.add(moved, moved.area());
-      }
+      for (std::size_t copy = 0; copy < set.transforms.size(); ++copy) add(sampledShapeOf(description, i, &set, copy));
     }
   }
 }
@@ -101,11 +101,11 @@ TargetSet::TargetSet(const SceneDescription& scene, std::span<const std::string>
 
 DirectionSample<float> TargetSet::sampleDirection(const ScatterPoint<float>& from,
                                                   const LightRandom<float>& random) const {
-  return HittablePdf(members_, from.position).sample(random.select, random.position);
+  return HittablePdf(members_, from.position, from.time).sample(random.select, random.position);
 }
 
 float TargetSet::pdfDirection(const ScatterPoint<float>& from, Vec3f wi) const {
-  return HittablePdf(members_, from.position).pdf(wi);
+  return HittablePdf(members_, from.position, from.time).pdf(wi);
 }
 
 }  // namespace steradian

@@ -56,23 +56,23 @@ class TargetGroup {
 /// time in proportion to their number. The target is the caller's and must outlive this.
 class HittablePdf {
  public:
-  HittablePdf(const SampledShape& shape, Vec3f from) : shape_(&shape), from_(from) {}
-  HittablePdf(const TargetGroup& group, Vec3f from) : group_(&group), from_(from) {}
+  HittablePdf(const SampledShape& shape, Vec3f from, float time = 0.0f) : shape_(&shape), from_(from), time_(time) {}
+  HittablePdf(const TargetGroup& group, Vec3f from, float time = 0.0f) : group_(&group), from_(from), time_(time) {}
 
   /// For a group without a distance: a direction may meet several members.
   DirectionSample<float> sample(float choice, Vec2f u) const {
-    if (shape_ != nullptr) return shape_->sampleDirection(from_, u);
+    if (shape_ != nullptr) return shape_->sampleDirection(from_, u, time_);
     if (group_->empty()) return {};
-    const auto part = group_->shapes()[group_->choose(choice)].sampleDirection(from_, u);
+    const auto part = group_->shapes()[group_->choose(choice)].sampleDirection(from_, u, time_);
     return {part.wi, part.pdf > 0.0f ? pdf(part.wi) : 0.0f};
   }
 
   float pdf(Vec3f wi) const {
-    if (shape_ != nullptr) return shape_->pdfDirection(from_, wi);
+    if (shape_ != nullptr) return shape_->pdfDirection(from_, wi, time_);
     float sum = 0.0f;
     for (std::size_t i = 0; i < group_->shapes().size(); ++i) {
       const float probability = group_->probability(i);
-      if (probability > 0.0f) sum += probability * group_->shapes()[i].pdfDirection(from_, wi);
+      if (probability > 0.0f) sum += probability * group_->shapes()[i].pdfDirection(from_, wi, time_);
     }
     return sum;
   }
@@ -81,6 +81,7 @@ class HittablePdf {
   const SampledShape* shape_ = nullptr;
   const TargetGroup* group_ = nullptr;
   Vec3f from_;
+  float time_;  // of the shutter
 };
 
 }  // namespace steradian

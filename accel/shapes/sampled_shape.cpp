@@ -82,42 +82,57 @@ float SampledShape::area() const {
       shape_, [](const auto& s) { return steradian::area(s); }, [](const auto& s) { return s.area(); });
 }
 
-PositionSample<float> SampledShape::samplePosition(Vec2f u) const {
+PositionSample<float> SampledShape::samplePosition(Vec2f u, float time) const {
   return visitShape(
       shape_, [&](const auto& s) { return steradian::samplePosition(s, u); },
-      [&](const auto& s) { return s.samplePosition(u); });
+      [&](const auto& s) { return s.samplePosition(u, time); });
 }
 
-float SampledShape::pdfPosition(Vec3f position) const {
+float SampledShape::pdfPosition(Vec3f position, float time) const {
   return visitShape(
       shape_, [](const auto& s) { return steradian::pdfPosition(s); },
-      [&](const auto& s) { return s.pdfPosition(position); });
+      [&](const auto& s) { return s.pdfPosition(position, time); });
 }
 
-DirectionSample<float> SampledShape::sampleDirection(Vec3f from, Vec2f u) const {
+DirectionSample<float> SampledShape::sampleDirection(Vec3f from, Vec2f u, float time) const {
   return visitShape(
       shape_, [&](const auto& s) { return steradian::sampleDirection(s, from, u); },
-      [&](const auto& s) { return s.sampleDirection(from, u); });
+      [&](const auto& s) { return s.sampleDirection(from, u, time); });
 }
 
-float SampledShape::pdfDirection(Vec3f from, Vec3f wi) const {
+float SampledShape::pdfDirection(Vec3f from, Vec3f wi, float time) const {
   return visitShape(
       shape_, [&](const auto& s) { return steradian::pdfDirection(s, from, wi); },
-      [&](const auto& s) { return s.pdfDirection(from, wi); });
+      [&](const auto& s) { return s.pdfDirection(from, wi, time); });
 }
 
-Vec3f SampledShape::normalAt(Vec3f position) const {
+Vec3f SampledShape::normalAt(Vec3f position, float time) const {
   return visitShape(
       shape_, [&](const auto& s) { return steradian::normalAt(s, position); },
-      [&](const auto& s) { return s.normalAt(position); });
+      [&](const auto& s) { return s.normalAt(position, time); });
 }
 
 SampledShape transformed(const SampledShape& shape, const Matrix& localToWorld) {
   return visitShape(
       shape.shape(), [&](const auto& s) { return move(s, localToWorld); },
       [&](const TransformedShape& s) {
+        if (!s.motions().empty()) return inMotion(shape, MovingTransform({localToWorld, localToWorld}));
         const Matrix whole = s.localToWorld() * localToWorld;
         return std::visit([&](const auto& local) { return move(local, whole); }, s.local());
+      });
+}
+
+SampledShape inMotion(const SampledShape& shape, const MovingTransform& motion) {
+  const auto moving = [](const TransformedShape::Local& local, std::vector<MovingTransform> motions) {
+    return SampledShape(std::make_shared<const TransformedShape>(local, std::move(motions)));
+  };
+  return visitShape(
+      shape.shape(), [&](const auto& s) { return moving(s, {motion}); },
+      [&](const TransformedShape& s) {
+        std::vector<MovingTransform> motions = s.motions();
+        if (motions.empty()) motions.emplace_back(Motion{s.localToWorld(), s.localToWorld()});
+        motions.push_back(motion);
+        return moving(s.local(), std::move(motions));
       });
 }
 

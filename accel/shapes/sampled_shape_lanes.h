@@ -1,5 +1,6 @@
 #pragma once
-/// SampledShape for several viewers at once: the same numbers as width 1 gives, lane by lane.
+/// SampledShape for several viewers at once, each at a time of its own: the same numbers as width 1 gives, lane by
+/// lane.
 #include "steradian/accel/shapes/box_sampling.h"
 #include "steradian/accel/shapes/disk_sampling.h"
 #include "steradian/accel/shapes/in_lanes.h"
@@ -11,9 +12,9 @@
 namespace steradian {
 
 template <class F>
-DirectionSample<F> sampleDirection(const SampledShape& shape, Vec3<F> from, Vec2<F> u) {
+DirectionSample<F> sampleDirection(const SampledShape& shape, Vec3<F> from, Vec2<F> u, F time) {
   if constexpr (widthOf<F> == 1) {
-    return shape.sampleDirection(from, u);
+    return shape.sampleDirection(from, u, time);
   } else {
     return std::visit(
         [&]<class S>(const S& s) {
@@ -22,7 +23,7 @@ DirectionSample<F> sampleDirection(const SampledShape& shape, Vec3<F> from, Vec2
           } else {
             DirectionSample<F> samples;
             for (int i = 0; i < widthOf<F>; ++i) {
-              const DirectionSample<float> one = s->sampleDirection(lane(from, i), lane(u, i));
+              const DirectionSample<float> one = s->sampleDirection(lane(from, i), lane(u, i), lane(time, i));
               setLane(samples.wi, i, one.wi);
               setLane(samples.pdf, i, one.pdf);
               setLane(samples.distance, i, one.distance);
@@ -36,9 +37,9 @@ DirectionSample<F> sampleDirection(const SampledShape& shape, Vec3<F> from, Vec2
 
 /// Unit outward normals at points of the surface.
 template <class F>
-Vec3<F> normalAt(const SampledShape& shape, Vec3<F> position) {
+Vec3<F> normalAt(const SampledShape& shape, Vec3<F> position, F time) {
   if constexpr (widthOf<F> == 1) {
-    return shape.normalAt(position);
+    return shape.normalAt(position, time);
   } else {
     return std::visit(
         [&]<class S>(const S& s) {
@@ -46,7 +47,7 @@ Vec3<F> normalAt(const SampledShape& shape, Vec3<F> position) {
             return normalAt(inLanes<F>(s), position);
           } else {
             Vec3<F> normals;
-            for (int i = 0; i < widthOf<F>; ++i) setLane(normals, i, s->normalAt(lane(position, i)));
+            for (int i = 0; i < widthOf<F>; ++i) setLane(normals, i, s->normalAt(lane(position, i), lane(time, i)));
             return normals;
           }
         },

@@ -9,6 +9,7 @@
 #include "steradian/apps/scenes/scenes.h"
 #include "steradian/integrators/make_integrator.h"
 #include "steradian/integrators/render.h"
+#include "steradian/tests/integrators/moving_scenes.h"
 #include "steradian/tests/integrators/small_scenes.h"
 
 namespace steradian {
@@ -179,14 +180,46 @@ TEST(WidePath, EqualsWidthOneByBoundsAndByAHierarchy) {
   }
 }
 
+/// Paths of one packet are at times of their own.
+TEST(WidePath, EqualsWidthOneInMotion) {
+  const Scene flat(test::flyingSphere(), kFlat), lights(test::movingLights()), all(test::everythingMoves());
+  ASSERT_NE(flat.geometry().flat(), nullptr);
+  const Scene deep(test::everythingMoves(), {.geometry = {.directClusters = 0}, .lights = {}});
+  for (const char* strategy : {"bsdf", "light", "mis", "mixture"}) {
+    const std::string integrator = std::string("path:strategy=") + strategy;
+    for (const Scene* scene : {&flat, &lights, &all, &deep}) {
+      expectEqualWidths(*scene, integrator, settingsOf(13, 11, 8));
+    }
+  }
+  for (const std::uint32_t directClusters : {64u, 0u}) {
+    const Scene spheres(makeScene("bouncing-spheres"), {.geometry = {.directClusters = directClusters}, .lights = {}});
+    expectEqualWidths(spheres, "path", settingsOf(16, 9, 3));
+  }
+  expectEqual(renderWith(deep, "path", settingsOf(13, 11, 8)), renderWith(all, "path", settingsOf(13, 11, 8)),
+              "with and without a hierarchy of its own");
+}
+
+TEST(WidePath, MotionIsTheSameForAnyNumberOfThreads) {
+  const Scene scene(test::everythingMoves());
+  RenderSettings settings = settingsOf(20, 15, 4);
+  settings.tileSize = 4;
+  const auto with = [&](int threads) {
+    tbb::task_arena arena(threads);
+    return arena.execute([&] { return renderWith(scene, "path", settings); });
+  };
+  expectEqual(with(4), with(1), "4 threads");
+}
+
 TEST(WidePath, IsTheSameForEveryInstructionSet) {
   const auto scene = [](int which) {
     if (which == 0) return plainRoom();
     if (which == 1) return everythingRoom();
     if (which == 2) return openScene();
-    return which == 3 ? smokyScene() : makeScene(which == 4 ? "one-weekend" : "cornell-tower:3");
+    if (which == 5) return test::everythingMoves();
+    if (which == 6) return smokyScene();
+    return makeScene(which == 3 ? "one-weekend" : "cornell-tower:3");
   };
-  for (const int which : {0, 1, 2, 3, 4, 5}) {
+  for (const int which : {0, 1, 2, 3, 4, 5, 6}) {
     const auto rendered = [&](Isa isa, const char* width) {
       const SceneSettings settings{.geometry = {.directClusters = which == 0 ? 64u : 4u, .isa = isa}, .lights = {}};
       return renderWith(Scene(scene(which), settings), std::string("path:width=") + width, settingsOf(13, 11, 4));

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
+
 #include "steradian/tests/lights/light_scenes.h"
 
 namespace steradian {
@@ -17,13 +19,15 @@ SurfacePoint<float> hitAlong(const LightSet& lights, const ScatterPoint<float>& 
   ids.valid = true;
   const std::size_t light = *lights.areas().find(ids);
   ids.position = from.position + s.wi * s.distance;
-  ids.geometricNormal = lights.areas()[light].shape().normalAt(ids.position);
+  ids.geometricNormal = lights.areas()[light].shape().normalAt(ids.position, from.time);
   return ids;
 }
 
-void expectSampleIsEmission(const ShapeGeometry& geometry, const ScatterPoint<float>& from, bool twoSided) {
+void expectSampleIsEmission(const ShapeGeometry& geometry, const ScatterPoint<float>& from, bool twoSided,
+                            const std::optional<Motion>& motion = std::nullopt) {
   SceneDescription scene;
   const Id shape = addEmitter(scene, geometry, kRadiance, twoSided);
+  scene.shapes[shape].motion = motion;
   const LightSet lights(scene, kBounds);
   ASSERT_EQ(lights.size(), 1u);
   int samples = 0;
@@ -55,6 +59,28 @@ TEST(LightSet, SampleIsWhatEmissionSays) {
   TriangleMesh one = mesh();
   one.indices.resize(3);
   expectSampleIsEmission(one, from, false);
+}
+
+TEST(LightSet, SampleIsWhatEmissionSaysOfLightsInMotion) {
+  ScatterPoint<float> from = pointAt({0.1f, 0.0f, 0.2f});
+  Motion motion;
+  motion.close.setEulerAngles(Imath::V3f(0.0f, 0.8f, 0.3f));
+  Matrix stretch;
+  stretch.setScale(Imath::V3f(1.5f, 1.0f, 1.2f));
+  motion.close = motion.close * stretch;
+  motion.close[3][0] = 0.3f;
+  motion.close[3][1] = 0.5f;
+  TriangleMesh one = mesh();
+  one.indices.resize(3);
+  for (const float time : {0.0f, 0.3f, 0.9f}) {
+    from.time = time;
+    for (const ShapeGeometry& geometry :
+         {ShapeGeometry(sphere({0, 2, 0}, 0.5f)), ShapeGeometry(one), ShapeGeometry(ceilingSquare(1.0f, 1.0f)),
+          ShapeGeometry(disk({0, 1, 0}, {0, -1, 0}, 0.5f)),
+          ShapeGeometry(box({0.5f, 2, 0.5f}, {0.5f, 0.4f, 0.3f}, 30.0f))}) {
+      expectSampleIsEmission(geometry, from, false, motion);
+    }
+  }
 }
 
 TEST(LightSet, BackFacesOfOneSidedLightsAreBlack) {
@@ -266,10 +292,24 @@ SceneDescription manyLights(int balls) {
   return scene;
 }
 
+/// The same lights, of which some move.
+SceneDescription manyMovingLights() {
+  SceneDescription scene = manyLights(20);
+  for (Id id = 0; id < scene.shapes.size(); id += 2) {
+    Matrix close;
+    close.setEulerAngles(Imath::V3f(0.0f, 0.3f, 0.2f * static_cast<float>(id)));
+    close[3][0] = 0.3f;
+    scene.shapes[id].motion = Motion{Matrix(), close};
+  }
+  scene.instances[0].closing = scene.instances[0].transforms;
+  scene.instances[0].closing[0][3][2] = 1.0f;
+  return scene;
+}
+
 TEST(LightSet, LanesAgreeWithScalars) {
   using F = Lanes<8>;
-  for (const int balls : {1, 300}) {
-    const LightSet lights(manyLights(balls), kBounds, {.sampleAreas = true, .sampleSkies = true});
+  for (const SceneDescription& scene : {manyLights(1), manyLights(300), manyMovingLights()}) {
+    const LightSet lights(scene, kBounds, {.sampleAreas = true, .sampleSkies = true});
     int valid = 0;
     for (std::uint32_t round = 0; round < 400; ++round) {
       ScatterPoint<F> from;
@@ -279,6 +319,7 @@ TEST(LightSet, LanesAgreeWithScalars) {
         setLane(random.select, i, r.select);
         setLane(random.position, i, r.position);
         setLane(from.position, i, Vec3f{r.position.y - 0.5f, 0.0f, r.select - 0.5f});
+        setLane(from.time, i, r.select);
         // Free points among those of surfaces.
         setLane(from.geometricNormal, i, i == 5 ? Vec3f{} : Vec3f{0.0f, 1.0f, 0.0f});
       }

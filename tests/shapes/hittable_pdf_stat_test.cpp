@@ -33,6 +33,20 @@ TEST(HittablePdfStat, TransformedShapes) {
   }
 }
 
+TEST(HittablePdfStat, ShapesInMotion) {
+  Motion motion{Matrix(), shear()};
+  motion.open.setTranslation(Imath::V3f(0.5f, 0.0f, 1.0f));
+  for (const SampledShape& local : {kSphere, kDisk, kBox, kBehind}) {
+    const SampledShape moving = inMotion(local, MovingTransform(motion));
+    for (const float time : {0.0f, 0.6f}) {
+      const Vec3f middle = transformPoint(MovingTransform(motion).at(time), Vec3f{0.0f, 0.0f, 2.0f});
+      CheckOptions options;
+      options.grid.axis = normalize(middle);
+      EXPECT_TRUE(check(HittablePdf(moving, {}, time), options));
+    }
+  }
+}
+
 TEST(HittablePdfStat, GroupsWithOverlapAndOcclusion) {
   const std::array<float, 4> weights{1.0f, 2.0f, 0.5f, 1.5f};
   const TargetGroup group({kSphere, kBehind, kBox, kAside}, weights);

@@ -98,6 +98,43 @@ TEST(SampledShape, TheMeanInversePositionDensityIsTheArea) {
   }
 }
 
+// At each time it is what the map of that time makes of it.
+TEST(SampledShape, InMotionIsTheMappedShapeOfTheTime) {
+  const MovingTransform first({Matrix(), kShear}),
+      then({kStretch, linear({0.0f, 0.0f, -1.0f}, {0.0f, 2.0f, 0.0f}, {1.0f, 0.0f, 0.0f})});
+  for (const SampledShape& local : allShapes()) {
+    const SampledShape once = inMotion(local, first), twice = inMotion(once, then), last = transformed(once, kMirror);
+    for (const float time : {0.0f, 0.4f, 1.0f}) {
+      const Matrix m = first.at(time);
+      const struct {
+        const SampledShape& moving;
+        Matrix matrix;
+      } cases[]{{once, m}, {twice, m * then.at(time)}, {last, m * kMirror}};
+      for (const auto& c : cases) {
+        const SampledShape still = transformed(local, c.matrix);
+        const Vec3f from = transformPoint(c.matrix, Vec3f{1.5f, 1.4f, 0.4f});
+        double movingSum = 0.0, stillSum = 0.0;
+        const int n = 64;
+        for (int i = 0; i < n * n; ++i) {
+          const Vec2f u{(static_cast<float>(i % n) + 0.5f) / n, (static_cast<float>(i / n) + 0.5f) / n};
+          const DirectionSample<float> s = c.moving.sampleDirection(from, u, time), t = still.sampleDirection(from, u);
+          movingSum += s.pdf > 0.0f ? 1.0 / static_cast<double>(s.pdf) : 0.0;
+          stillSum += t.pdf > 0.0f ? 1.0 / static_cast<double>(t.pdf) : 0.0;
+          if (i % 16 != 0 || s.pdf == 0.0f) continue;
+          ASSERT_NEAR(c.moving.pdfDirection(from, s.wi, time) / s.pdf, 1.0, 2e-3);
+          const Vec3f position = from + s.wi * s.distance;
+          ASSERT_NEAR(dot(c.moving.normalAt(position, time), still.normalAt(position)), 1.0, 1e-4);
+          const PositionSample<float> p = c.moving.samplePosition(u, time);
+          ASSERT_NEAR(p.pdf / c.moving.pdfPosition(p.position, time), 1.0, 1e-3);
+          ASSERT_NEAR(dot(p.normal, still.normalAt(p.position)), 1.0, 1e-4);
+        }
+        EXPECT_NEAR(movingSum / stillSum, 1.0, 5e-3);  // the solid angle
+      }
+    }
+    EXPECT_NEAR(once.area() / transformed(local, first.at(0.5f)).area(), 1.0, 1e-5);
+  }
+}
+
 TEST(SampledShape, AreaOfAnEllipsoid) {
   // Prolate, 2 : 1 : 1: 2 pi (1 + 2 / e asin e), e = sqrt(3) / 2.
   const SampledShape egg = transformed(SampledShape(Sphere<float>{{}, 1.0f}),
