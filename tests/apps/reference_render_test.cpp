@@ -1,7 +1,10 @@
 /// Our pictures against those of an independent renderer (tests/data/reference).
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <fstream>
+#include <sstream>
 #include <string>
 
 #include "steradian/apps/scenes/scenes.h"
@@ -66,6 +69,82 @@ SceneDescription greyCornellBox() {
   for (ShapeDescription& shape : scene.shapes)
     if (shape.name == "short box") shape.material = darker;
   return scene;
+}
+
+/// The grey room with a light of radiance 18, and nothing else in it.
+SceneDescription emptyRoom() {
+  SceneDescription scene = greyed("cornell-box");
+  scene.emissions.at(0).radiance = grey(18.0f);
+  std::erase_if(scene.shapes, [](const ShapeDescription& s) { return s.name == "tall box" || s.name == "short box"; });
+  return scene;
+}
+
+Id addGrey(SceneDescription& scene, float reflectance) {
+  return scene.addMaterial("grey", LambertMaterial{scene.addColour(grey(reflectance))});
+}
+
+SceneDescription motionRoom() {
+  SceneDescription scene = emptyRoom();
+  SphereSet ball;
+  ball.addMoving({150.0f, 120.0f, 250.0f}, {260.0f, 160.0f, 250.0f}, 60.0f);
+  scene.addShape("ball", ball, addGrey(scene, 0.7f));
+  BoxSet block;
+  block.add({45.0f, 100.0f, 45.0f}, {45.0f, 100.0f, 45.0f});
+  Motion motion;
+  motion.open.setTranslation(Imath::V3f(340.0f, 0.0f, 300.0f));
+  motion.close.setTranslation(Imath::V3f(340.0f, 60.0f, 300.0f));
+  scene.shapes[scene.addShape("block", block, addGrey(scene, 0.6f))].motion = motion;
+  return scene;
+}
+
+/// The instances are read from the text: Translate, Rotate, Scale, ObjectInstance for each.
+SceneDescription instancesRoom() {
+  SceneDescription scene = emptyRoom();
+  BoxSet cube;
+  cube.add({20.0f, 20.0f, 20.0f}, {20.0f, 20.0f, 20.0f});
+  SphereSet ball;
+  ball.add({0.0f, 0.0f, 0.0f}, 22.0f);
+  scene.groups = {{"cube", {scene.addShape("cube", cube, addGrey(scene, 0.7f))}},
+                  {"ball", {scene.addShape("ball", ball, addGrey(scene, 0.5f))}}};
+  scene.instances = {{0, {}}, {1, {}}};
+  std::ifstream file(std::filesystem::path(STERADIAN_TEST_DATA) / "reference" / "instances.pbrt");
+  Matrix place;
+  for (std::string line; std::getline(file, line);) {
+    std::istringstream words(line);
+    std::string word;
+    words >> word;
+    Imath::V3f v;
+    float degrees = 0.0f;
+    if (word == "Rotate") words >> degrees;
+    words >> v.x >> v.y >> v.z;
+    // The directive before acts after this one.
+    if (word == "AttributeBegin") place.makeIdentity();
+    if (word == "Translate") place = Matrix().setTranslation(v) * place;
+    if (word == "Rotate") place = Matrix().setAxisAngle(v, degrees * kPi / 180.0f) * place;
+    if (word == "Scale") place = Matrix().setScale(v) * place;
+    if (word == "ObjectInstance") scene.instances[line.find("cube") == std::string::npos].transforms.push_back(place);
+  }
+  return scene;
+}
+
+TEST(Reference, Motion) { expectAgreement(renderScene(motionRoom(), "path:max-depth=8", 1024), "motion"); }
+
+TEST(Reference, Instances) {
+  SceneDescription scene = instancesRoom();
+  ASSERT_EQ(scene.instances[0].transforms.size() + scene.instances[1].transforms.size(), 60u);
+  expectAgreement(renderScene(std::move(scene), "path:max-depth=8", 1024), "instances");
+}
+
+// The shutter that closes a twentieth of the time too soon.
+TEST(Reference, AMotionThatEndsTooSoonIsFound) {
+  SceneDescription scene = motionRoom();
+  auto& ball = std::get<SphereSet>(scene.shapes[scene.shapes.size() - 2].geometry);
+  ball.moveX[0] *= 0.95f;
+  ball.moveY[0] *= 0.95f;
+  scene.shapes.back().motion->close[3][1] *= 0.95f;
+  const Image ours = renderScene(std::move(scene), "path:max-depth=8", 512);
+  const Image theirs = readReference("motion.exr"), error = readReference("motion.stderr.exr");
+  EXPECT_FALSE(zTest(ours, &ours, theirs, &error).passed);
 }
 
 TEST(Reference, CornellGray) { expectAgreement(renderScene(greyCornellBox(), "path", 512), "cornell_gray"); }

@@ -93,10 +93,10 @@ TEST(MotionBlur, IsTheMeanOfStillPictures) {
   for (const auto& c : cases) EXPECT_GT(smallestP(blurred(c.scene), averaged(c.scene)), level()) << c.name;
 }
 
-// Of the tests: pictures that miss the last twentieth of the motion have another mean.
+// Of the tests: pictures that miss the last tenth of the motion have another mean.
 TEST(MotionBlur, AMotionThatEndsTooSoonIsFound) {
   const SceneDescription scene = test::everythingMoves();
-  const auto early = [](float time) { return 0.95f * time; };
+  const auto early = [](float time) { return 0.9f * time; };
   EXPECT_LT(smallestP(blurred(scene), averaged(scene, early)), level());
 }
 
