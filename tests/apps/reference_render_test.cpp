@@ -127,12 +127,12 @@ SceneDescription instancesRoom() {
   return scene;
 }
 
-TEST(Reference, Motion) { expectAgreement(renderScene(motionRoom(), "path:max-depth=8", 1024), "motion"); }
+TEST(Reference, Motion) { expectAgreement(renderScene(motionRoom(), "path:max-depth=8", 512), "motion"); }
 
 TEST(Reference, Instances) {
   SceneDescription scene = instancesRoom();
   ASSERT_EQ(scene.instances[0].transforms.size() + scene.instances[1].transforms.size(), 60u);
-  expectAgreement(renderScene(std::move(scene), "path:max-depth=8", 1024), "instances");
+  expectAgreement(renderScene(std::move(scene), "path:max-depth=8", 384), "instances");
 }
 
 // The shutter that closes a twentieth of the time too soon.
@@ -142,7 +142,7 @@ TEST(Reference, AMotionThatEndsTooSoonIsFound) {
   ball.moveX[0] *= 0.95f;
   ball.moveY[0] *= 0.95f;
   scene.shapes.back().motion->close[3][1] *= 0.95f;
-  const Image ours = renderScene(std::move(scene), "path:max-depth=8", 512);
+  const Image ours = renderScene(std::move(scene), "path:max-depth=8", 256);
   const Image theirs = readReference("motion.exr"), error = readReference("motion.stderr.exr");
   EXPECT_FALSE(zTest(ours, &ours, theirs, &error).passed);
 }

@@ -1,6 +1,7 @@
 #include "steradian/integrators/wide_path.h"
 
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
 #include <limits>
@@ -200,6 +201,7 @@ TEST(WidePath, EqualsWidthOneInMotion) {
 }
 
 TEST(WidePath, MotionIsTheSameForAnyNumberOfThreads) {
+  const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism, 4);  // also on smaller machines
   const Scene scene(test::everythingMoves());
   RenderSettings settings = settingsOf(20, 15, 4);
   settings.tileSize = 4;
