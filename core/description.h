@@ -89,7 +89,8 @@ struct CoatedMaterial {
 struct UniformDiffuseMaterial {
   Id reflectance = kNone;  ///< texture, 0..1
 };
-/// Nothing at all: a boundary between media, which rays cross unchanged.
+/// Nothing at all: a boundary between media, which rays cross unchanged. Where it coincides with a surface, as the
+/// bottom of a cloud that lies on a floor, the surface should be described first.
 struct InterfaceMaterial {};
 using MaterialModel = std::variant<AbsorberMaterial, LambertMaterial, MetalMaterial, DielectricMaterial, CoatedMaterial,
                                    UniformDiffuseMaterial, InterfaceMaterial>;

@@ -8,10 +8,11 @@ namespace {
 float channelOf(Rgb c, int channel) { return channel == 0 ? c.r : channel == 1 ? c.g : c.b; }
 float sum(Rgb c) { return c.r + c.g + c.b; }
 
-/// The rest of a ray, beyond a surface that it passes through.
-Ray<float> beyond(const SurfacePoint<float>& met, const Ray<float>& ray) {
-  return spawnRay(ScatterPoint<float>{met.position, met.positionError, met.geometricNormal, ray.time}, ray.direction,
-                  kInfinity);
+/// Whether a surface lies in the boundary that the ray passed before: as near as rounding can tell.
+bool coincide(const SurfacePoint<float>& met, const Ray<float>& ray, float passed, Vec3f passedError) {
+  const Vec3f error = met.positionError + passedError;
+  const float cosine = maximum(absDot(met.geometricNormal, ray.direction), 1e-3f);
+  return (met.distance - passed) * cosine <= 4.0f * (error.x + error.y + error.z);
 }
 
 }  // namespace
@@ -30,7 +31,7 @@ Rgb Flight::shareOf(Rgb left) const {
 }
 
 bool Flight::advance(const Volumes& volumes, const SurfacePoint<float>& met, Ray<float>& ray, Bodies& bodies) {
-  const float length = met.valid ? met.distance : kInfinity;
+  const float length = (met.valid ? met.distance : kInfinity) - ray.tMin;
   if (const Medium* medium = volumes.medium(bodies)) {
     if (!isBlack(medium->emission)) emitted_ += passed_ * shareOf(left_) * medium->emitted(length);
     if (medium->scatters()) {
@@ -40,8 +41,8 @@ bool Flight::advance(const Volumes& volumes, const SurfacePoint<float>& met, Ray
         left_ *= medium->transmittance(scattered);
         const float density = sum(choice_ * medium->extinction * left_);
         weight_ = density > 0.0f ? passed_ * medium->scattering * left_ * (1.0f / density) : Rgb{};
-        distance_ += scattered;
-        position_ = ray.at(scattered);
+        distance_ = ray.tMin + scattered;
+        position_ = ray.at(distance_);
         scatteredBy_ = medium;
         return false;
       }
@@ -52,13 +53,19 @@ bool Flight::advance(const Volumes& volumes, const SurfacePoint<float>& met, Ray
     }
   }
   weight_ = passed_ * shareOf(left_);
-  distance_ += length;
+  distance_ = met.distance;
   if (!met.valid) return false;
   const Boundary boundary = volumes.boundary(met, ray.direction, bodies);
   outsideEta_ = boundary.outsideEta;
-  if (boundary.isReal) return false;
+  if (boundary.isReal) {
+    // A wall in a boundary comes first, however rounding has it: what is scattered there starts on this side of both.
+    if (crossings_ > 0 && coincide(met, ray, ray.tMin, passedError_)) bodies = before_;
+    return false;
+  }
+  before_ = bodies;
+  passedError_ = met.positionError;
   volumes.cross(met, ray.direction, bodies);
-  ray = beyond(met, ray);
+  ray.tMin = met.distance;
   if (++crossings_ < kMostCrossings) return true;
   weight_ = {};
   return false;
@@ -66,7 +73,7 @@ bool Flight::advance(const Volumes& volumes, const SurfacePoint<float>& met, Ray
 
 bool LightWay::advance(const Volumes& volumes, const SurfacePoint<float>& met, Ray<float>& ray, Bodies& bodies) {
   if (const Medium* medium = volumes.medium(bodies)) {
-    transmittance_ *= medium->transmittance(met.valid ? met.distance : ray.tMax);
+    transmittance_ *= medium->transmittance((met.valid ? met.distance : ray.tMax) - ray.tMin);
   }
   if (!met.valid) return false;
   if (volumes.boundary(met, ray.direction, bodies).isReal || ++crossings_ == kMostCrossings) {
@@ -74,9 +81,8 @@ bool LightWay::advance(const Volumes& volumes, const SurfacePoint<float>& met, R
     return false;
   }
   volumes.cross(met, ray.direction, bodies);
-  ray = beyond(met, ray);
-  ray.tMax = length_ - dot(ray.origin - start_, ray.direction);
-  return ray.tMax > 0.0f && !isBlack(transmittance_);
+  ray.tMin = met.distance;
+  return !isBlack(transmittance_);
 }
 
 }  // namespace steradian

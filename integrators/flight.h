@@ -1,9 +1,10 @@
 #pragma once
 /// How rays get from one place to the next: through media, and through surfaces that are none to them.
 ///
-/// A ray is traced in segments, from surface to surface; whoever traces hands in what each segment met. So the wide
+/// A ray is traced in segments, from surface to surface: its origin stays, tMin moves on to the surface passed. Whoever
+/// traces hands in what each segment met. So the wide
 /// integrator traces all its lanes at once, and decides lane by lane with the functions of the scalar one.
-#include "steradian/core/ray_offset.h"
+#include "steradian/core/ray.h"
 #include "steradian/integrators/volumes.h"
 
 namespace steradian {
@@ -47,23 +48,21 @@ class Flight {
   float distance_ = 0.0f, outsideEta_ = 1.0f;
   const Medium* scatteredBy_ = nullptr;
   Vec3f position_{};
-  std::uint32_t crossings_ = 0;
+  // The last boundary that the ray passed:
+  std::uint32_t crossings_ = 0;  ///< how many before it, and itself
+  Bodies before_;
+  Vec3f passedError_{};
 };
 
 /// The way of a shadow ray to the light.
 class LightWay {
  public:
-  LightWay() = default;
-  explicit LightWay(const Ray<float>& ray) : start_(ray.origin), length_(ray.tMax) {}
-
   /// As Flight::advance; `met` is what `ray` met before its tMax.
   bool advance(const Volumes& volumes, const SurfacePoint<float>& met, Ray<float>& ray, Bodies& bodies);
   /// The share of the light that arrives.
   Rgb transmittance() const { return transmittance_; }
 
  private:
-  Vec3f start_{};
-  float length_ = 0.0f;
   Rgb transmittance_ = grey(1.0f);
   std::uint32_t crossings_ = 0;
 };

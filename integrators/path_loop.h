@@ -122,7 +122,7 @@ Rgb visibility(Queries& queries, const Vertex& vertex, Ray<float> ray) {
   if (volumes.empty()) return grey(1.0f);
   Bodies bodies = *vertex.bodies;
   if (vertex.surface != nullptr) volumes.scatter(*vertex.surface, vertex.wo, ray.direction, bodies);
-  LightWay way(ray);
+  LightWay way;
   if (!volumes.passable()) {
     way.advance(volumes, {}, ray, bodies);
   } else {
@@ -216,7 +216,6 @@ SurfacePoint<float> fly(Queries& queries, Flight& flight, Ray<float>& ray, Bodie
     SurfacePoint<float> met = queries.surfacePoint(ray, queries.intersect(ray));
     if (flight.advance(queries.volumes(), met, ray, bodies)) continue;
     met.valid = met.valid && flight.scatteredBy() == nullptr;
-    if (met.valid) met.distance = flight.distance();
     return met;
   }
 }

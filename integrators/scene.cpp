@@ -40,18 +40,14 @@ Scene::Scene(SceneDescription description, const SceneSettings& settings)
 
 Scene::FirstSurface Scene::firstSurface(Ray<float> ray, const Bodies& bodies) const {
   FirstSurface first{{}, 1.0f, bodies};
-  const Vec3f start = ray.origin;
-  const float length = ray.tMax;
-  for (std::uint32_t i = 0; i < kMostCrossings && ray.tMax > 0.0f; ++i) {
+  for (std::uint32_t i = 0; i < kMostCrossings; ++i) {
     first.point = geometry_.surfacePoint(ray, geometry_.intersect(ray));
     if (!first.point.valid) return first;
     const Boundary boundary = volumes_.boundary(first.point, ray.direction, first.bodies);
     first.outsideEta = boundary.outsideEta;
-    if (i > 0) first.point.distance += dot(ray.origin - start, ray.direction);
     if (boundary.isReal) return first;
     volumes_.cross(first.point, ray.direction, first.bodies);
-    ray = spawnRay(scatterPoint(first.point, ray.time), ray.direction, kInfinity);
-    ray.tMax = length - dot(ray.origin - start, ray.direction);
+    ray.tMin = first.point.distance;
   }
   first.point = {};
   return first;
@@ -78,7 +74,7 @@ Bodies Scene::bodiesAt(Vec3f position, float time) const {
         left.push_back(at);
       }
     }
-    ray = spawnRay(scatterPoint(at, time), ray.direction, kInfinity);
+    ray.tMin = at.distance;
   }
   Bodies bodies;
   for (auto at = left.rbegin(); at != left.rend(); ++at) volumes_.cross(*at, -at->geometricNormal, bodies);

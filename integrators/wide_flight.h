@@ -62,7 +62,7 @@ SurfacePoint<F> WideFlight<F>::fly(Ray<F>& ray, Mask active, const Vec2<F>& rand
       Ray<float> one = lane(ray, i);
       SurfacePoint<float> surface = lane(met, i);
       if (flight.advance(volumes_, surface, one, bodies_[at(i)])) {
-        setLane(ray, i, one);
+        setLane(ray.tMin, i, one.tMin);
         return;
       }
       setLane(left, i, false);
@@ -70,7 +70,6 @@ SurfacePoint<F> WideFlight<F>::fly(Ray<F>& ray, Mask active, const Vec2<F>& rand
       setLane(throughput, i, lane(throughput, i) * flight.weight());
       setLane(inMedium_, i, flight.scatteredBy() != nullptr);
       surface.valid = surface.valid && flight.scatteredBy() == nullptr;
-      if (surface.valid) surface.distance = flight.distance();
       setLane(arrivals, i, surface);
     });
   }
@@ -91,7 +90,6 @@ Spectrum<F> WideFlight<F>::transmittance(const SurfacePoint<F>& surface, const V
   std::array<LightWay, static_cast<std::size_t>(width)> ways;
   forEachLane(lit, [&](int i) {
     inside[at(i)] = bodies_[at(i)];
-    ways[at(i)] = LightWay(lane(ray, i));
     if (lane(surface.valid, i)) {
       volumes_.scatter(lane(surface, i), lane(wo, i), lane(ray.direction, i), inside[at(i)]);
     }
@@ -102,7 +100,7 @@ Spectrum<F> WideFlight<F>::transmittance(const SurfacePoint<F>& surface, const V
     forEachLane(lit, [&](int i) {
       Ray<float> one = lane(ray, i);
       if (ways[at(i)].advance(volumes_, lane(met, i), one, inside[at(i)])) {
-        setLane(ray, i, one);
+        setLane(ray.tMin, i, one.tMin);
       } else {
         setLane(lit, i, false);
         setLane(result, i, ways[at(i)].transmittance());

@@ -132,6 +132,20 @@ TEST(Media, StrategiesAgreeThroughABoundaryThatIsATarget) {
   expectStrategiesAgree(scene, 256);
 }
 
+// Fog that lies on the floor: whichever of the two rounding puts first.
+TEST(Media, StandOnTheFloorWithoutALeak) {
+  const auto fogAt = [](float height) {
+    SceneDescription scene = test::room();
+    const Id box = test::addBox(scene, {0.0f, height - 0.4f, 0.1f}, {0.5f, 0.6f, 0.5f}, 20.0f,
+                                scene.addMaterial("air", InterfaceMaterial{}));
+    scene.shapes[box].interior = filled(scene, {.scattering = grey(2.5f)});
+    return scene;
+  };
+  const Scene above(fogAt(1e-3f)), standing(fogAt(0.0f));
+  const PathIntegrator path(with(Strategy::Mis));
+  EXPECT_TRUE(agree(meanOf(standing, path, 24, 512, 1), meanOf(above, path, 24, 512, 2)));
+}
+
 // A fault that the tests above must notice.
 TEST(Media, TwoPercentMoreScatteringAreFound) {
   SceneDescription scene = slab({.absorption = grey(0.1f), .scattering = grey(0.6f * 1.02f)});
