@@ -4,6 +4,7 @@
 #include <CLI/Error.hpp>
 #include <exception>
 
+#include "steradian/apps/bench/books.h"
 #include "steradian/apps/bench/cycles.h"
 #include "steradian/apps/bench/machine.h"
 #include "steradian/apps/bench/micro.h"
@@ -25,6 +26,8 @@ void runPart(Part part, const BenchOptions& options) {
       return runRenders(options);
     case Part::Samplers:
       return runSamplers(options);
+    case Part::Books:
+      return runBooks(options);
     case Part::Cycles:
       return runCycles(options);
   }

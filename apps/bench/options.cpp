@@ -11,7 +11,7 @@ namespace steradian::bench {
 namespace {
 
 constexpr const char* kDescription =
-    "Measures Steradian. Without PART: micro and renders. Options that begin with --benchmark_ go to the\n"
+    "Measures Steradian. Without PART: micro, renders and books. Options that begin with --benchmark_ go to the\n"
     "micro-benchmarks (Google Benchmark): --benchmark_filter=REGEX, --benchmark_list_tests, ...";
 
 struct Texts {
@@ -23,32 +23,37 @@ struct Texts {
 std::vector<Part> partsOf(const Texts& texts) {
   std::vector<Part> parts;
   for (const std::string& part : texts.parts) {
-    parts.push_back(part == "micro" ? Part::Micro : part == "renders" ? Part::Renders : Part::Samplers);
+    parts.push_back(part == "micro"     ? Part::Micro
+                    : part == "renders" ? Part::Renders
+                    : part == "books"   ? Part::Books
+                                        : Part::Samplers);
   }
   if (texts.cycles) parts.push_back(Part::Cycles);
-  if (parts.empty()) parts = {Part::Micro, Part::Renders};
+  if (parts.empty()) parts = {Part::Micro, Part::Renders, Part::Books};
   return parts;
 }
 
 void declare(CLI::App& app, Texts& texts, BenchOptions& options) {
-  app.add_option("PART", texts.parts, "micro, renders, samplers")
-      ->check(CLI::IsMember({"micro", "renders", "samplers"}));
+  app.add_option("PART", texts.parts, "micro, renders, books, samplers")
+      ->check(CLI::IsMember({"micro", "renders", "books", "samplers"}));
   app.add_flag("--cycles", texts.cycles, "Compare with Blender's Cycles (needs blender)");
-  app.add_option("--scenes", options.scenes, "Scenes of renders, of samplers and of --cycles")->delimiter(',');
+  app.add_option("--scenes", options.scenes, "Scenes of renders, books, samplers and --cycles")->delimiter(',');
   app.add_option("--size", texts.size, "Size of the pictures; default: 300x300, samplers 64x64")->type_name("WxH");
-  app.add_option("--spp", texts.samples, "Samples per pixel; default: renders 16, --cycles 64, samplers 16, 64 and 256")
+  app.add_option("--spp", texts.samples,
+                 "Samples per pixel; default: renders and books 16, --cycles 64, samplers 16, 64 and 256")
       ->type_name("N");
   app.add_option("--reference-spp", texts.reference,
                  "Samples of each half of a reference; default: --cycles 512, samplers 1024")
       ->type_name("N");
-  app.add_option("-t,--threads", texts.threads, "Threads of renders and samplers; default: one for each processor")
+  app.add_option("-t,--threads", texts.threads,
+                 "Threads of renders, books and samplers; default: one for each processor")
       ->type_name("N");
   app.add_option("--width", texts.pathWidth, "Paths that our renders trace at once: 1, 4, 8, 16; 0: as many as pay")
       ->type_name("N")
       ->capture_default_str();
   app.add_option("--repeats", texts.repeats, "Figures are medians of N runs")->type_name("N")->capture_default_str();
   app.add_option("--cycles-script", options.cyclesScript, "The script that Blender runs")->capture_default_str();
-  app.add_flag("--json", options.json, "Print the figures of renders, samplers and --cycles as JSON");
+  app.add_flag("--json", options.json, "Print the figures of renders, books, samplers and --cycles as JSON");
 }
 
 }  // namespace

@@ -11,6 +11,7 @@ enum class Part {
   Micro,     ///< single routines
   Renders,   ///< whole renders against the speed of tracing alone
   Samplers,  ///< whole renders by each sampler: error and time
+  Books,     ///< whole renders beside the books' way to render
   Cycles     ///< whole renders beside Blender's Cycles
 };
 
@@ -18,7 +19,8 @@ struct BenchOptions {
   std::vector<Part> parts;
   std::vector<std::string> scenes;  ///< empty: those that each part takes by itself
   int width = 300, height = 300;
-  int samplersWidth = 64, samplersHeight = 64;    ///< of the pictures of Samplers: the same if the user says a size
+  /// Of the pictures of Samplers, and of those that Books compares; the same if the user says a size.
+  int samplersWidth = 64, samplersHeight = 64;
   std::optional<std::uint32_t> samplesPerPixel;   ///< nothing: as each part takes by itself
   std::optional<std::uint32_t> referenceSamples;  ///< per pixel, of each half of a reference; nothing: likewise
   int threads = 1;

@@ -1,0 +1,221 @@
+#include "steradian/apps/bench/books.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "steradian/apps/bench/books_renderer.h"
+#include "steradian/apps/bench/machine.h"
+#include "steradian/apps/bench/measure.h"
+#include "steradian/apps/scenes/scenes.h"
+#include "steradian/core/image_metrics.h"
+#include "steradian/integrators/path.h"
+#include "steradian/integrators/render.h"
+
+namespace steradian::bench {
+namespace {
+
+constexpr std::uint32_t kSamplesPerPixel = 16;
+/// Of the pictures that are compared. The books need many to show an error of 2 %: their light comes in rare bright
+/// samples.
+constexpr std::uint32_t kOurCheckSamples = 64, kTheirCheckSamples = 1024;
+constexpr std::uint32_t kReplicates = 8;
+
+struct Check {
+  ZTestResult z;
+  double meanRatio = 1.0;                         ///< of luminances, ours over theirs
+  double ourVariance = 0.0, theirVariance = 0.0;  ///< of one sample's luminance: means over the pixels
+};
+
+/// Rates are per second of all threads together.
+struct Row {
+  std::string scene;
+  Check check;
+  double ours = 0.0, theirs = 0.0;
+
+  double rateRatio() const { return ours / theirs; }
+  /// How much longer the books' way takes to the same noise.
+  double timeRatio() const { return rateRatio() * check.theirVariance / check.ourVariance; }
+};
+
+/// Variance per sample, from the standard errors of the pixels.
+double sampleVariance(const Image& image, std::uint32_t samplesPerPixel) {
+  const int channel = image.channel("StdErr.Y");
+  double sum = 0.0;
+  for (int y = 0; y < image.height(); ++y) {
+    for (int x = 0; x < image.width(); ++x) {
+      const auto error = static_cast<double>(image.at(x, y, channel));
+      sum += error * error;
+    }
+  }
+  return sum / static_cast<double>(image.pixelCount()) * samplesPerPixel;
+}
+
+double meanLuminance(const Image& image) {
+  const std::array<double, 3> means = channelMeans(image);
+  return 0.2126 * means[0] + 0.7152 * means[1] + 0.0722 * means[2];
+}
+
+/// Patterns of noise and unfiltered pictures look different there; this is the scene without.
+SceneDescription inPlainColours(SceneDescription scene) {
+  for (TextureDescription& texture : scene.textures) {
+    const bool isOwn = std::holds_alternative<NoiseTexture>(texture) || std::holds_alternative<ImageTexture>(texture);
+    if (isOwn) texture = ConstantTexture{grey(0.5f)};
+  }
+  return scene;
+}
+
+/// Both renderers with one scene.
+class Pair {
+ public:
+  Pair(Threads& threads, const SceneDescription& description, const BenchOptions& options)
+      : threads_(threads),
+        options_(options),
+        integrator_({.width = options.pathWidth}),
+        world_(books::makeWorld(description)) {
+    threads_.run([&] { scene_ = std::make_unique<Scene>(description); });
+  }
+
+  Check check() {
+    RenderSettings settings;
+    settings.width = options_.samplersWidth;
+    settings.height = options_.samplersHeight;
+    settings.samplesPerPixel = kOurCheckSamples;
+    settings.replicates = kReplicates;
+    const Image ours =
+        threads_.run([&] { return render(*scene_, integrator_, settings); }).film.image({.features = false});
+    const Image theirs = threads_.run([&] {
+      return books::render(world_, {*settings.width, *settings.height}, kTheirCheckSamples, settings.seed);
+    });
+    Check check;
+    check.z = zTest(ours, &ours, theirs, &theirs,
+                    {.degreesOfFreedomA = kReplicates - 1.0, .degreesOfFreedomB = kTheirCheckSamples - 1.0});
+    check.meanRatio = meanLuminance(ours) / meanLuminance(theirs);
+    check.ourVariance = sampleVariance(ours, kOurCheckSamples);
+    check.theirVariance = sampleVariance(theirs, kTheirCheckSamples);
+    return check;
+  }
+
+  double ourRate(std::uint32_t samplesPerPixel) {
+    RenderSettings settings;
+    settings.width = options_.width;
+    settings.height = options_.height;
+    settings.samplesPerPixel = samplesPerPixel;
+    const RenderStatistics statistics = threads_.run([&] { return render(*scene_, integrator_, settings); }).statistics;
+    return static_cast<double>(statistics.samples) / statistics.sampleSeconds;
+  }
+
+  double theirRate(std::uint32_t samplesPerPixel, std::uint32_t seed) {
+    const double seconds = secondsOf([&] {
+      threads_.run([&] { books::render(world_, {options_.width, options_.height}, samplesPerPixel, seed); });
+    });
+    return static_cast<double>(options_.width) * options_.height * samplesPerPixel / seconds;
+  }
+
+ private:
+  Threads& threads_;
+  const BenchOptions& options_;
+  PathIntegrator integrator_;
+  books::World world_;
+  std::unique_ptr<const Scene> scene_;
+};
+
+Row measure(Threads& threads, const SceneDescription& description, const BenchOptions& options) {
+  Pair pair(threads, description, options);
+  Row row{.scene = description.name, .check = Pair(threads, inPlainColours(description), options).check()};
+  const std::uint32_t spp = options.samplesPerPixel.value_or(kSamplesPerPixel);
+  std::vector<double> ours, theirs;
+  for (int i = 0; i < options.repeats; ++i) {
+    // In turns, so that both see the same moods of the machine.
+    ours.push_back(pair.ourRate(spp));
+    theirs.push_back(pair.theirRate(spp, static_cast<std::uint32_t>(i)));
+  }
+  row.ours = median(ours);
+  row.theirs = median(theirs);
+  return row;
+}
+
+void printRow(const Row& row) {
+  const ZTestResult& z = row.check.z;
+  fmt::print("| books/{} | {:.3f} | {:.3f} | {:.1f} | {:.0f} | {:.4f} | {}, z {:.1f} of {:.1f} |\n", row.scene,
+             row.ours / 1e6, row.theirs / 1e6, row.rateRatio(), row.timeRatio(), row.check.meanRatio,
+             z.passed ? "same" : "DIFFER", std::fabs(z.worstZ), z.threshold);
+  std::fflush(stdout);
+}
+
+nlohmann::json toJson(const Row& row) {
+  return {{"scene", row.scene},
+          {"samples_per_second", row.ours},
+          {"books_samples_per_second", row.theirs},
+          {"sample_rate_ratio", row.rateRatio()},
+          {"equal_noise_time_ratio", row.timeRatio()},
+          {"mean_ratio", row.check.meanRatio},
+          {"worst_z", row.check.z.worstZ},
+          {"z_limit", row.check.z.threshold},
+          {"passed", row.check.z.passed}};
+}
+
+/// What the scene has and the books do not.
+std::string missingFor(const SceneDescription& scene) {
+  try {
+    books::makeWorld(scene);
+    return {};
+  } catch (const Error& error) {
+    return error.diagnostics().front().message;
+  }
+}
+
+/// Those that exist: scenes of later versions are left out.
+std::vector<std::string> defaultScenes() {
+  std::vector<std::string> scenes;
+  for (const char* name : {"next-week-final", "cornell-smoke", "cornell-box", "one-weekend"}) {
+    const auto infos = builtInScenes();
+    const bool exists = std::any_of(infos.begin(), infos.end(), [&](const SceneInfo& s) { return s.name == name; });
+    if (exists) scenes.emplace_back(name);
+  }
+  return scenes;
+}
+
+}  // namespace
+
+void runBooks(const BenchOptions& options) {
+  const std::vector<std::string> scenes = options.scenes.empty() ? defaultScenes() : options.scenes;
+  if (!options.json) {
+    fmt::print(
+        "\nBeside the books' way, {} x {}, {} spp, {} threads, medians of {}\n\n"
+        "| scene | Msamples/s | the books' | ratio | ratio of times to equal noise | ratio of means | pictures, worst "
+        "z and its limit |\n"
+        "|---|---|---|---|---|---|---|\n",
+        options.width, options.height, options.samplesPerPixel.value_or(kSamplesPerPixel), options.threads,
+        options.repeats);
+    std::fflush(stdout);
+  }
+  Threads threads(options.threads);
+  nlohmann::json rows = nlohmann::json::array();
+  std::string different;
+  for (const std::string& scene : scenes) {
+    const SceneDescription description = makeScene(scene);
+    if (const std::string missing = missingFor(description); !missing.empty()) {
+      if (!options.json) fmt::print("| books/{} | left out: {} | | | | | |\n", scene, missing);
+      continue;
+    }
+    const Row row = measure(threads, description, options);
+    if (!row.check.z.passed) different += " " + scene;
+    if (options.json) {
+      rows.push_back(toJson(row));
+    } else {
+      printRow(row);
+    }
+  }
+  if (options.json) fmt::print("{}\n", nlohmann::json{{"machine", machineLine()}, {"books", rows}}.dump(1));
+  if (!different.empty()) throw Error(ErrorKind::Other, "pictures differ from the books':" + different);
+}
+
+}  // namespace steradian::bench
