@@ -237,6 +237,25 @@ TEST(MovingGeometry, IsTheStillSceneOfEachTime) {
   }
 }
 
+TEST(MovingGeometry, OfCopiesInOnePlaceTheFirstIsMet) {
+  SceneDescription scene = randomScene(12, 30);
+  Random random(13);
+  scene.groups = {{"all", {0, 1, 2, 3, 4, 5, 6}}};
+  const Motion motion = randomMotion(random, 1.0f);
+  scene.instances = {{0, std::vector<Matrix>(9, motion.open), std::vector<Matrix>(9, motion.close)}};
+  for (const GeometrySettings& settings : {direct(), hierarchy()}) {
+    const Geometry geometry(std::make_shared<SceneDescription>(scene), settings);
+    int hits = 0;
+    for (int i = 0; i < 1000; ++i) {
+      const Hit<float> hit = geometry.intersect(rayAtSomeTime(random, 12.0f));
+      if (!hit.valid) continue;
+      ++hits;
+      ASSERT_EQ(hit.instance, 0u);
+    }
+    EXPECT_GT(hits, 100);
+  }
+}
+
 TEST(MovingGeometry, BoundsAndStatistics) {
   SceneDescription scene;
   SphereSet ball;

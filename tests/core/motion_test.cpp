@@ -173,6 +173,19 @@ TEST(MovingTransform, BoundsOfATurnAreThoseOfTheArc) {
   EXPECT_GT(arc.low.x, std::cos(2.5f) - 0.01f);
 }
 
+// A point that moves out along an arm that turns slowly dips below both of its ends, and it is the growth that does it.
+TEST(MovingTransform, BoundsHoldWhatGrowsAndTurns) {
+  const MovingTransform arm({turned({0.0f, 0.0f, -0.1f}), scaled({10.0f, 1.0f, 1.0f}) * turned({0.0f, 0.0f, 0.09f})});
+  const Vec3f end{1.0f, 0.0f, 0.0f};
+  const Bounds3 bounds = arm.bounds({end, end});
+  float lowest = 0.0f;
+  for (int i = 0; i <= 100; ++i) {
+    lowest = std::min(lowest, transformPoint(arm.at(static_cast<float>(i) / 100.0f), end).y);
+  }
+  EXPECT_LT(lowest, -0.17f);
+  EXPECT_LE(bounds.low.y, lowest);
+}
+
 TEST(MovingTransform, LocalMagnitudesAreBounded) {
   Random random;
   for (int round = 0; round < 300; ++round) {

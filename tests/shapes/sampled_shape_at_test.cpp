@@ -32,5 +32,34 @@ TEST(SampledShapeAt, TakesPrimitivesFromTheirSets) {
   EXPECT_THROW(sampledShapeOf(CustomShapeSet{}, 0), Error);
 }
 
+TEST(SampledShapeAt, MovesWhatMoves) {
+  ShapeDescription shape;
+  SphereSet set;
+  set.add({0.0f, 0.0f, 0.0f}, 1.0f);
+  set.addMoving({0.0f, 0.0f, 0.0f}, {0.0f, 4.0f, 0.0f}, 1.0f);
+  shape.geometry = set;
+  Matrix moved, far, farther;
+  moved.setTranslation(Imath::V3f(0.0f, 0.0f, 10.0f));
+  far.setTranslation(Imath::V3f(100.0f, 0.0f, 0.0f));
+  farther.setTranslation(Imath::V3f(300.0f, 0.0f, 0.0f));
+  const InstanceSet still{0, {far, far}}, moving{0, {far, far}, {far, farther}};
+  const auto expectCenter = [](const SampledShape& sphere, float time, Vec3f center) {
+    for (const Vec2f u : {Vec2f{0.1f, 0.7f}, Vec2f{0.8f, 0.2f}}) {
+      const PositionSample<float> p = sphere.samplePosition(u, time);
+      EXPECT_NEAR(length(p.position - center), 1.0f, 1e-4f);
+      EXPECT_NEAR(dot(p.normal, p.position - center), 1.0f, 1e-4f);
+    }
+  };
+  expectCenter(sampledShapeOf(shape, 0), 0.5f, {0.0f, 0.0f, 0.0f});
+  expectCenter(sampledShapeOf(shape, 1), 0.5f, {0.0f, 2.0f, 0.0f});
+  expectCenter(sampledShapeOf(shape, 0, &still, 1), 0.5f, {100.0f, 0.0f, 0.0f});
+  expectCenter(sampledShapeOf(shape, 1, &still, 1), 0.5f, {100.0f, 2.0f, 0.0f});
+  expectCenter(sampledShapeOf(shape, 0, &moving, 0), 0.5f, {100.0f, 0.0f, 0.0f});
+  expectCenter(sampledShapeOf(shape, 0, &moving, 1), 0.5f, {200.0f, 0.0f, 0.0f});
+  shape.motion = Motion{Matrix(), moved};
+  expectCenter(sampledShapeOf(shape, 0), 0.25f, {0.0f, 0.0f, 2.5f});
+  expectCenter(sampledShapeOf(shape, 1, &moving, 1), 0.25f, {150.0f, 1.0f, 2.5f});
+}
+
 }  // namespace
 }  // namespace steradian
