@@ -265,16 +265,17 @@ PixelSample tracePath(const PathPlan& plan, Queries& queries, Ray<float> ray, co
       return next;
     };
     const Vec3f wo = -ray.direction;
+    const bool last = bounce == plan.maxDepth;
     BsdfSample<float> next;
     if (inMedium) {
       if (bounce == 0) setFirstHit(result, flight);
-      if (bounce == plan.maxDepth) break;
+      if (last) break;
       const Phase<float> phase{flight.scatteredBy()->anisotropy};
       next = shade(vertexOf(flight, phase, wo, ray.time, bodies));
     } else {
       const Bsdf bsdf = queries.bsdf(surface, wo, flight.outsideEta());
       if (bounce == 0) setFirstHit(result, surface, bsdf, wo);
-      if (bounce == plan.maxDepth) break;
+      if (last) break;
       next = shade(vertexOf(plan, surface, bsdf, wo, ray.time, bodies));
     }
     if (!(next.pdf > 0.0f)) break;

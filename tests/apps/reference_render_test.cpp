@@ -165,32 +165,6 @@ TEST(Reference, OnePercentTooBrightIsFound) {
   EXPECT_FALSE(zTest(ours, &ours, theirs, &error).passed);
 }
 
-/// The tall box is fog, and fog fills a sphere of water; `anisotropy`: of the fog.
-SceneDescription foggyRoom(float anisotropy) {
-  SceneDescription scene = greyed("cornell-box");
-  scene.defaults.maxDepth = 100;
-  std::erase_if(scene.shapes, [](const ShapeDescription& s) { return s.name == "short box"; });
-  const Id fog =
-      scene.addMedium({.name = "fog", .absorption = grey(0.002f), .scattering = grey(0.02f), .anisotropy = anisotropy});
-  ShapeDescription& box = scene.shapes.back();
-  EXPECT_EQ(box.name, "tall box");
-  box.material = scene.addMaterial("interface", InterfaceMaterial{});
-  box.interior = Interior{fog};
-  SphereSet ball;
-  ball.add({190.0f, 90.1f, 190.0f}, 90.0f);
-  const Id water = scene.addMaterial("water", DielectricMaterial{.eta = 1.33f});
-  scene.shapes[scene.addShape("ball", std::move(ball), water)].interior = Interior{fog};
-  return scene;
-}
-
-TEST(Reference, Fog) { expectAgreement(renderScene(foggyRoom(0.4f), "path", 512), "fog"); }
-
-TEST(Reference, FogThatScattersOtherwiseIsFound) {
-  const Image ours = renderScene(foggyRoom(0.3f), "path", 512);
-  const Image theirs = readReference("fog.exr"), error = readReference("fog.stderr.exr");
-  EXPECT_FALSE(zTest(ours, &ours, theirs, &error).passed);
-}
-
 /// The checkerboard of 8 x 4 cells: a picture of as many pixels, bright in the lower left corner.
 Id addCheckerboard(SceneDescription& scene) {
   Image cells(8, 4, {"Y"});

@@ -96,7 +96,9 @@ TEST(Scenes, BouncingSpheresAreTheCoverWithMatteSpheresRising) {
     EXPECT_EQ(spheres.moveX[i] + spheres.moveZ[i], 0.0f);
     EXPECT_GE(move, 0.0f);
     EXPECT_LT(move, 0.5f);
-    if (material != "matte") EXPECT_EQ(move, 0.0f);
+    if (material != "matte") {
+      EXPECT_EQ(move, 0.0f);
+    }
     rising += move > 0.0f ? 1 : 0;
   }
   EXPECT_GT(rising, 350);
