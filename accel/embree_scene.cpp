@@ -17,7 +17,9 @@ RTCRay toEmbree(const Ray<float>& ray) {
   r.org_x = ray.origin.x;
   r.org_y = ray.origin.y;
   r.org_z = ray.origin.z;
-  r.tnear = ray.tMin;
+  // Embree's own triangles lie beyond tnear by their own rounding only: a ray that goes on beyond one would meet it
+  // again.
+  r.tnear = ray.tMin * (1.0f + 0x1p-20f);
   r.dir_x = ray.direction.x;
   r.dir_y = ray.direction.y;
   r.dir_z = ray.direction.z;
