@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <optional>
 
@@ -91,6 +92,7 @@ struct Geometry::Implementation {
   GeometryStatistics statistics;
   Isa isa = Isa::Baseline;
   std::uint32_t directClusters = 0;
+  bool dependsOnTime = false;
   // Destroyed in reverse order: scenes before their device.
   std::unique_ptr<embree::Device> device;  ///< none: the world's clusters are tested one after the other
   std::optional<FlatPrimitives> flat;      ///< only then
@@ -154,6 +156,10 @@ void Geometry::Implementation::findMotions() {
     }
   }
   if (!motionOfInstance.empty()) motionOfInstance.resize(flatIndex, kNone);
+  dependsOnTime = !motions.empty() || std::any_of(description->shapes.begin(), description->shapes.end(), [](auto& s) {
+    const auto* spheres = std::get_if<SphereSet>(&s.geometry);
+    return std::holds_alternative<CustomShapeSet>(s.geometry) || (spheres && areMoving(*spheres));
+  });
 }
 
 void Geometry::Implementation::gather(Hierarchy& hierarchy, std::span<const Id> shapes, bool clusterMeshes) {
@@ -405,6 +411,7 @@ SurfacePoint<float> Geometry::surfacePoint(const Ray<float>& ray, const Hit<floa
 const FlatPrimitives* Geometry::flat() const { return implementation_->flat ? &*implementation_->flat : nullptr; }
 Bounds3 Geometry::bounds() const { return implementation_->bounds; }
 std::span<const Matrix> Geometry::instanceTransforms() const { return implementation_->transforms; }
+bool Geometry::dependsOnTime() const { return implementation_->dependsOnTime; }
 Isa Geometry::isa() const { return implementation_->isa; }
 GeometryStatistics Geometry::statistics() const { return implementation_->statistics; }
 

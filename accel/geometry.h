@@ -72,6 +72,8 @@ class Geometry {
   /// Local to world, by flattened instance index: the instance sets in order, their transforms in order. Of those that
   /// move, at time 0.
   std::span<const Matrix> instanceTransforms() const;
+  /// Whether a ray's time may matter: something moves, or is a custom shape, which may look at it.
+  bool dependsOnTime() const;
   GeometryStatistics statistics() const;
   Isa isa() const;
 

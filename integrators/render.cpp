@@ -107,7 +107,8 @@ RenderResult render(const Scene& scene, const Integrator& integrator, const Rend
                       settings.filter,
                       {settings.sampler, settings.seed, samplesPerPixel, settings.replicates},
                       settings.tileSize,
-                      monitor};
+                      monitor,
+                      scene.geometry().dependsOnTime()};
 
   while (done < samplesPerPixel && !stop.stop_requested()) {
     const std::uint32_t count = nextPass(settings, done, secondsSince(start));

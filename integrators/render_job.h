@@ -72,6 +72,7 @@ struct RenderJob {
   SamplerSettings samplerSettings;
   int tileSize;
   RenderMonitor& monitor;
+  bool dependsOnTime = true;  ///< else all rays are at time 0, and no number is drawn for it
 
   /// What the sampler knows pixel (x, y) by: its place in the full picture. Squares of 65536 pixels differ at random.
   static std::uint32_t pixelKey(int x, int y) {
@@ -85,7 +86,8 @@ struct RenderJob {
     const FilterSample<F> place = filter.sample(sampler.get2D(start, Purpose::Film));
     const Vec2<F> film{x + F(0.5f) + place.offset.x, y + F(0.5f) + place.offset.y};
     const Vec2<F> lens = camera.hasLens() ? sampler.get2D(start, Purpose::Lens) : Vec2<F>{};
-    return {camera.ray<F>({film, lens, sampler.get1D(start, Purpose::Time)}), place.weight};
+    const F time = dependsOnTime ? sampler.get1D(start, Purpose::Time) : F(0.0f);
+    return {camera.ray<F>({film, lens, time}), place.weight};
   }
 };
 

@@ -275,6 +275,25 @@ TEST(MovingGeometry, BoundsAndStatistics) {
   EXPECT_EQ(geometry.intersect(ray).instance, kNone);
 }
 
+TEST(MovingGeometry, KnowsWhetherTimeMatters) {
+  const auto depends = [](const auto& change) {
+    SceneDescription scene;
+    SphereSet ball;
+    ball.add({0, 0, 0}, 1.0f);
+    scene.addShape("ball", ball, 0);
+    scene.groups = {{"group", {0}}};
+    scene.instances = {{0, {Matrix()}, {Matrix()}}};
+    change(scene);
+    return Geometry(std::make_shared<SceneDescription>(scene)).dependsOnTime();
+  };
+  const Matrix there = transformOf({}, {1, 1, 1}, {1, 0, 0});
+  EXPECT_FALSE(depends([](auto&) {}));
+  EXPECT_TRUE(depends([&](auto& s) { s.instances[0].closing = {there}; }));
+  EXPECT_TRUE(depends([&](auto& s) { s.shapes[0].motion = Motion{Matrix(), there}; }));
+  EXPECT_TRUE(depends([](auto& s) { std::get<SphereSet>(s.shapes[0].geometry).addMoving({}, {1, 0, 0}, 1.0f); }));
+  EXPECT_TRUE(depends([](auto& s) { s.addShape("custom", CustomShapeSet{{std::make_shared<Slab>(1.0f)}}, 0); }));
+}
+
 TEST(MovingGeometry, SingularKeysAreErrors) {
   SceneDescription scene = randomScene(11, 20);
   const Matrix flat = transformOf({}, {1.0f, 0.0f, 1.0f}, {});
