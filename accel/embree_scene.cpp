@@ -17,9 +17,7 @@ RTCRay toEmbree(const Ray<float>& ray) {
   r.org_x = ray.origin.x;
   r.org_y = ray.origin.y;
   r.org_z = ray.origin.z;
-  // Embree's own triangles lie beyond tnear by their own rounding only: a ray that goes on beyond one would meet it
-  // again.
-  r.tnear = ray.tMin * (1.0f + 0x1p-20f);
+  r.tnear = ray.tMin;
   r.dir_x = ray.direction.x;
   r.dir_y = ray.direction.y;
   r.dir_z = ray.direction.z;

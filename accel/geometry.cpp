@@ -93,6 +93,7 @@ struct Geometry::Implementation {
   Isa isa = Isa::Baseline;
   std::uint32_t directClusters = 0;
   bool dependsOnTime = false;
+  bool hasNativeTriangles = false;
   // Destroyed in reverse order: scenes before their device.
   std::unique_ptr<embree::Device> device;  ///< none: the world's clusters are tested one after the other
   std::optional<FlatPrimitives> flat;      ///< only then
@@ -121,6 +122,12 @@ struct Geometry::Implementation {
   SurfacePoint<float> localPoint(const Ray<float>& ray, const Hit<float>& hit) const;
   SurfacePoint<float> groupPoint(const Ray<float>& ray, const Hit<float>& hit) const;
   SurfacePoint<float> worldPoint(const Ray<float>& ray, const Hit<float>& hit) const;
+  /// Embree takes triangles at tMin itself, give or take its rounding: a ray that goes on behind one would meet it
+  /// again.
+  Ray<float> forEmbree(Ray<float> ray) const {
+    if (hasNativeTriangles) ray.tMin *= 1.0f + 0x1p-20f;
+    return ray;
+  }
   void placeInstances();
   /// Whatever rays start from: the camera, and the surfaces.
   Bounds3 origins() const {
@@ -185,6 +192,7 @@ void Geometry::Implementation::gatherStill(Hierarchy& hierarchy, std::span<const
     const auto* mesh = std::get_if<TriangleMesh>(&s.geometry);
     if (mesh && !clusterMeshes) {
       hierarchy.meshes.push_back(shape);
+      hasNativeTriangles = true;
       for (const std::uint32_t i : mesh->indices) hierarchy.bounds.include(mesh->positions[i]);
     } else {
       clustered.push_back(shape);
@@ -378,7 +386,7 @@ Hit<float> Geometry::intersect(const Ray<float>& ray) const {
   if (!isUsable(ray)) return {};
   LeafHit best;
   if (self.device) {
-    best = embree::intersect(self.world.scene, ray);
+    best = embree::intersect(self.world.scene, self.forEmbree(ray));
     if (best.instance != kNone) best.instance -= self.firstInstanceId();
   } else {
     self.world.clusters.nearest(ray, kNone, best);
@@ -390,7 +398,7 @@ Hit<float> Geometry::intersect(const Ray<float>& ray) const {
 bool Geometry::occluded(const Ray<float>& ray) const {
   const Implementation& self = *implementation_;
   if (!isUsable(ray)) return false;
-  return self.device ? embree::occluded(self.world.scene, ray) : self.world.clusters.any(ray);
+  return self.device ? embree::occluded(self.world.scene, self.forEmbree(ray)) : self.world.clusters.any(ray);
 }
 
 SurfacePoint<float> Geometry::surfacePoint(const Ray<float>& ray, const Hit<float>& hit) const {

@@ -2,8 +2,8 @@
 /// How rays get from one place to the next: through media, and through surfaces that are none to them.
 ///
 /// A ray is traced in segments, from surface to surface: its origin stays, tMin moves on to the surface passed. Whoever
-/// traces hands in what each segment met. So the wide
-/// integrator traces all its lanes at once, and decides lane by lane with the functions of the scalar one.
+/// traces hands in what each segment met; so the wide integrator traces all its lanes at once, and decides lane by lane
+/// with the functions of the scalar one.
 #include "steradian/core/ray.h"
 #include "steradian/integrators/volumes.h"
 

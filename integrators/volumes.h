@@ -23,7 +23,7 @@ class Bodies {
     }
   };
   /// So many can be told apart; those entered while there are as many are not noticed.
-  static constexpr std::uint32_t kMost = 16;
+  static constexpr std::uint32_t kMost = 64;
 
   Bodies() = default;
   Bodies(const Bodies& other) { *this = other; }

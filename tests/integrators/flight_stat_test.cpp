@@ -3,41 +3,17 @@
 
 #include <cmath>
 
-#include "steradian/integrators/path.h"
-#include "steradian/tests/integrators/estimate.h"
 #include "steradian/tests/integrators/small_scenes.h"
+#include "steradian/tests/integrators/strategies.h"
 
 namespace steradian {
 namespace {
 
 using test::agree;
-using test::Estimate;
+using test::expectRadiance;
+using test::expectStrategiesAgree;
 using test::meanOf;
-
-constexpr Strategy kStrategies[]{Strategy::Mis, Strategy::Bsdf, Strategy::Light, Strategy::Mixture};
-
-PathSettings with(Strategy strategy) {
-  PathSettings settings;
-  settings.strategy = strategy;
-  return settings;
-}
-
-void expectRadiance(const SceneDescription& description, double expected) {
-  const Scene scene(description);
-  for (const Strategy strategy : kStrategies) {
-    EXPECT_TRUE(agree(meanOf(scene, PathIntegrator(with(strategy)), 16, 256), expected)) << static_cast<int>(strategy);
-  }
-}
-
-/// The mean is right, and the strategies agree.
-void expectStrategiesAgree(const SceneDescription& description, std::uint32_t samplesPerPixel) {
-  const Scene scene(description);
-  const Estimate expected = meanOf(scene, PathIntegrator(with(Strategy::Mis)), 16, samplesPerPixel, 100);
-  std::uint32_t seed = 0;
-  for (const Strategy strategy : kStrategies) {
-    EXPECT_TRUE(agree(meanOf(scene, PathIntegrator(with(strategy)), 16, samplesPerPixel, ++seed), expected)) << seed;
-  }
-}
+using test::with;
 
 Interior filled(SceneDescription& scene, MediumDescription medium) {
   medium.name = "medium";
@@ -56,6 +32,23 @@ SceneDescription slab(MediumDescription medium) {
 }
 
 TEST(Media, AbsorbAsBeerAndLambertSay) { expectRadiance(slab({.absorption = grey(0.7f)}), std::exp(-1.4)); }
+
+// Embree's own triangles: each is passed once.
+TEST(Media, FillMeshes) {
+  SceneDescription scene = slab({.absorption = grey(0.7f)});
+  TriangleMesh box;
+  for (const float z : {0.0f, 2.0f}) {
+    for (const float y : {-5.0f, 5.0f}) {
+      for (const float x : {-5.0f, 5.0f}) box.positions.push_back({x, y, z});
+    }
+  }
+  box.indices = {0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4,
+                 2, 6, 3, 3, 6, 7, 0, 4, 2, 2, 4, 6, 1, 3, 5, 3, 7, 5};
+  scene.shapes[0].geometry = std::move(box);
+  const Scene built(scene, {.geometry = {.directClusters = 0, .clusteredTriangles = 0}, .lights = {}});
+  const RenderResult result = render(built, PathIntegrator(with(Strategy::Mis)), test::settingsOf(8, 8, 4));
+  for (int i = 0; i < 64; ++i) EXPECT_NEAR(result.film.radiance(i % 8, i / 8).g, std::exp(-1.4), 1e-5);
+}
 
 TEST(Media, EmitWhatTheyDoNotAbsorb) {
   SceneDescription scene = slab({.absorption = grey(0.7f), .emission = grey(2.0f)});
@@ -122,14 +115,14 @@ SceneDescription smokyRoom() {
   return scene;
 }
 
-TEST(Media, StrategiesAgreeInSmoke) { expectStrategiesAgree(smokyRoom(), 256); }
+TEST(Media, StrategiesAgreeInSmoke) { expectStrategiesAgree(smokyRoom(), 256, 16); }
 
 TEST(Media, StrategiesAgreeThroughABoundaryThatIsATarget) {
   SceneDescription scene = smokyRoom();
   const Id window =
       test::addQuad(scene, {-0.5f, 0.5f, -0.5f}, {1, 0, 0}, {0, 0, 1}, scene.addMaterial("air", InterfaceMaterial{}));
   scene.shapes[window].target = true;
-  expectStrategiesAgree(scene, 256);
+  expectStrategiesAgree(scene, 256, 16);
 }
 
 // Fog that lies on the floor: whichever of the two rounding puts first.

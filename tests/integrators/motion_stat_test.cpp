@@ -6,10 +6,9 @@
 #include <vector>
 
 #include "steradian/core/rng.h"
-#include "steradian/integrators/path.h"
-#include "steradian/tests/integrators/estimate.h"
 #include "steradian/tests/integrators/moving_scenes.h"
 #include "steradian/tests/integrators/small_scenes.h"
+#include "steradian/tests/integrators/strategies.h"
 #include "steradian/tests/support/statistics.h"
 
 namespace steradian {
@@ -18,12 +17,7 @@ namespace {
 using test::Estimate;
 using test::meanOf;
 using test::RunningMean;
-
-PathSettings with(Strategy strategy) {
-  PathSettings settings;
-  settings.strategy = strategy;
-  return settings;
-}
+using test::with;
 
 constexpr int kSize = 16, kBlock = 4, kAcross = kSize / kBlock;
 using Blocks = std::vector<RunningMean>;
@@ -119,11 +113,7 @@ TEST(MotionBlur, OfALightIsItsMeanIrradiance) {
     }
   }
   for (const SceneDescription* description : {&byItself, &bySet, &byInstance}) {
-    const Scene scene(*description);
-    for (const Strategy strategy : {Strategy::Mis, Strategy::Bsdf, Strategy::Light, Strategy::Mixture}) {
-      EXPECT_TRUE(test::agree(meanOf(scene, PathIntegrator(with(strategy)), 16, 256), 0.25 / (2.0 * std::sqrt(5.0))))
-          << static_cast<int>(strategy);
-    }
+    test::expectRadiance(*description, 0.25 / (2.0 * std::sqrt(5.0)));
   }
 }
 
@@ -133,12 +123,7 @@ TEST(MotionBlur, StrategiesAgree) {
     for (ShapeDescription& shape : description.shapes) {
       shape.target = shape.emission != kNone || shape.name == "tumbling" || shape.name == "rolling";
     }
-    const Scene scene(description);
-    const Estimate expected = meanOf(scene, PathIntegrator(with(Strategy::Mis)), 24, 128, 100);
-    std::uint32_t seed = 0;
-    for (const Strategy strategy : {Strategy::Mis, Strategy::Bsdf, Strategy::Light, Strategy::Mixture}) {
-      EXPECT_TRUE(test::agree(meanOf(scene, PathIntegrator(with(strategy)), 24, 128, ++seed), expected)) << seed;
-    }
+    test::expectStrategiesAgree(description, 128);
   }
 }
 

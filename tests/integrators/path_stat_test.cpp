@@ -4,42 +4,19 @@
 
 #include <cmath>
 
-#include "steradian/integrators/path.h"
-#include "steradian/tests/integrators/estimate.h"
 #include "steradian/tests/integrators/small_scenes.h"
+#include "steradian/tests/integrators/strategies.h"
 
 namespace steradian {
 namespace {
 
 using test::agree;
 using test::Estimate;
+using test::expectRadiance;
+using test::expectStrategiesAgree;
+using test::kStrategies;
 using test::meanOf;
-
-constexpr Strategy kStrategies[]{Strategy::Mis, Strategy::Bsdf, Strategy::Light, Strategy::Mixture};
-
-PathSettings with(Strategy strategy, ScatterPdf pdf = ScatterPdf::Bsdf) {
-  PathSettings settings;
-  settings.strategy = strategy;
-  settings.scatterPdf = pdf;
-  return settings;
-}
-
-/// All strategies against `mis`; each has random numbers of its own.
-void expectStrategiesAgree(const SceneDescription& description, std::uint32_t samplesPerPixel, int size = 24) {
-  const Scene scene(description);
-  const Estimate expected = meanOf(scene, PathIntegrator(with(Strategy::Mis)), size, samplesPerPixel, 100);
-  std::uint32_t seed = 0;
-  for (const Strategy strategy : kStrategies) {
-    EXPECT_TRUE(agree(meanOf(scene, PathIntegrator(with(strategy)), size, samplesPerPixel, ++seed), expected)) << seed;
-  }
-}
-
-void expectRadiance(const SceneDescription& description, double expected) {
-  const Scene scene(description);
-  for (const Strategy strategy : kStrategies) {
-    EXPECT_TRUE(agree(meanOf(scene, PathIntegrator(with(strategy)), 16, 256), expected)) << static_cast<int>(strategy);
-  }
-}
+using test::with;
 
 // --- Known radiance ---------------------------------------------------------------------------------------------
 
