@@ -14,15 +14,6 @@ std::shared_ptr<const SceneDescription> validated(SceneDescription description) 
   return std::make_shared<const SceneDescription>(std::move(description));
 }
 
-bool bodiesMove(const SceneDescription& scene) {
-  for (const ShapeDescription& shape : scene.shapes) {
-    const auto* spheres = std::get_if<SphereSet>(&shape.geometry);
-    if (shape.interior && (shape.motion || (spheres != nullptr && !spheres->moveX.empty()))) return true;
-  }
-  return std::any_of(scene.instances.begin(), scene.instances.end(),
-                     [](const InstanceSet& set) { return !set.closing.empty(); });
-}
-
 }  // namespace
 
 Scene::Scene(SceneDescription description, const SceneSettings& settings)
@@ -33,7 +24,7 @@ Scene::Scene(SceneDescription description, const SceneSettings& settings)
       lights_(*description_, geometry_.bounds(), settings.lights),
       volumes_(*description_) {
   if (volumes_.empty()) return;
-  cameraMoves_ = std::holds_alternative<OrthographicCamera>(description_->camera) || bodiesMove(*description_);
+  cameraMoves_ = std::holds_alternative<OrthographicCamera>(description_->camera) || geometry_.dependsOnTime();
   const Vec3f camera = std::visit([](const auto& c) { return c.lookFrom; }, description_->camera);
   if (!cameraMoves_) cameraBodies_ = bodiesAt(camera, 0.0f);
 }
