@@ -160,6 +160,32 @@ std::string stratification(Bench& bench) {
          comparison(trials, bench.run(trials));
 }
 
+std::string mixtureInFog(Bench& bench) {
+  const auto mixture = [](const char* weight) {
+    return command("cornell-smoke", {"--integrator", std::string("path:strategy=mixture:target-weight=") + weight});
+  };
+  const std::vector<Trial> trials{
+      {"the phase function and surfaces alone", command("cornell-smoke", {"--strategy", "bsdf"})},
+      {"a quarter to the light", mixture("0.25")},
+      {"half to the light", mixture("0.5")},
+      {"three quarters to the light", mixture("0.75")},
+      {"shadow rays, by the power heuristic (default)", command("cornell-smoke", {})}};
+  return "<p>One weight for every place (section 10.3), also where smoke and fog scatter to all sides:</p>\n" +
+         comparison(trials, bench.run(trials));
+}
+
+std::string gapAsTarget(Bench& bench) {
+  const std::vector<Trial> trials{
+      {"default, without a target", command("door-crack", {})},
+      {"the mixture, aiming at the lamp behind the door",
+       command("door-crack", {"--strategy", "mixture", "--target", "lights"})},
+      {"the mixture, aiming at the gap", command("door-crack", {"--strategy", "mixture", "--target", "gap"})}};
+  return "<p>Anything may be aimed at that light comes through (chapter 12), not lights alone: a room that is lit "
+         "through "
+         "the gap under its door.</p>\n" +
+         comparison(trials, bench.run(trials));
+}
+
 /// The rule of three: with none in n, the rate is below 3/n with 95 % confidence.
 std::string notANumber(const Tally& tally) {
   const auto samples = static_cast<double>(tally.samples);
@@ -190,7 +216,8 @@ void writeClaims(const std::filesystem::path& folder, const Effort& effort, Tall
   body += section("shadow-rays", "1, 4, 8, 16 shadow rays", shadowRays(bench));
   body += section("mirrors", "Mirrors of a very small roughness", almostMirrors(bench));
   body += section("stratification", "Stratified samples", stratification(bench));
-  // Here belongs the fixed mixture in fog, when media scatter.
+  body += section("fog", "A fixed mixture in fog", mixtureInFog(bench));
+  body += section("door", "A gap as target", gapAsTarget(bench));
   body += section("not-a-number", "NaN", notANumber(tally));
   writePage(folder / "claims.html", page("Claims of the books, as figures", body));
 }

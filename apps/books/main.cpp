@@ -11,6 +11,7 @@
 #include "steradian/apps/steradian/arguments.h"
 #include "steradian/apps/steradian/console.h"
 #include "steradian/apps/steradian/exit_codes.h"
+#include "steradian/apps/steradian/parse.h"
 #include "steradian/apps/steradian/program.h"
 
 namespace {
@@ -28,10 +29,11 @@ struct Options {
 int work(const Options& options, Arguments& arguments) {
   if (options.list) {
     for (const auto* pictures : {&restOfYourLife(), &oneWeekend()})
-      for (const books::Picture& picture : *pictures) printOut(fmt::format("{:<28} {}\n", picture.id, picture.title));
+      for (const books::NumberedPicture& picture : *pictures)
+        printOut(fmt::format("{:<28} {}\n", picture.id, picture.title));
     return kExitSuccess;
   }
-  const books::Picture* only = nullptr;
+  const books::NumberedPicture* only = nullptr;
   if (options.only) {
     only = findPicture(*options.only);
     if (only == nullptr) arguments.problem(fmt::format("unknown picture \"{}\"; --list lists them", *options.only));
@@ -74,23 +76,8 @@ int runProgram(int argc, char** argv) {
   app.add_flag("--quick", options.quick, "small and noisy, within a minute: to see that everything works");
   app.add_flag("--list", options.list, "list the pictures");
   app.footer("Exit codes: 0 done; 2 wrong usage; 71 out of memory; 74 output could not be written; 1 anything else.");
-  app.allow_extras();
   Arguments arguments;
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::CallForHelp&) {
-    printOut(app.help());
-    return kExitSuccess;
-  } catch (const CLI::CallForVersion&) {
-    printOut(STERADIAN_VERSION "\n");
-    return kExitSuccess;
-  } catch (const CLI::ParseError& problem) {
-    arguments.problem(problem.what());
-  }
-  std::vector<std::string> known;
-  for (const CLI::Option* option : app.get_options())
-    for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
-  arguments.unexpected(app.remaining(true), known);
+  if (const auto done = parse(app, argc, argv, arguments)) return *done;
   return work(options, arguments);
 }
 

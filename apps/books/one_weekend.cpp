@@ -19,7 +19,7 @@ std::string id(const char* number) { return std::string("in-one-weekend-") + num
 constexpr const char* kLinear = "Raw";
 constexpr const char* kGamma = "Book";
 
-std::vector<Picture> normalsAndDiffuse() {
+std::vector<NumberedPicture> normalsAndDiffuse() {
   const Words normals{"--integrator", "normals"};
   const Words before{"--integrator", "normals", "--crop", "110,174,50,86", "--filter", "box:0.01"};
   const Words after{"--integrator", "normals", "--crop", "110,174,50,86"};
@@ -45,7 +45,7 @@ std::vector<Picture> normalsAndDiffuse() {
   };
 }
 
-std::vector<Picture> metalAndGlass() {
+std::vector<NumberedPicture> metalAndGlass() {
   return {
       {id("13"), "Image 13: metal", "10.5", scene(13, "100", kGamma), ""},
       {id("14"), "Image 14: fuzz of 0.3 and 1", "10.6", scene(14, "100", kGamma),
@@ -62,7 +62,7 @@ std::vector<Picture> metalAndGlass() {
   };
 }
 
-std::vector<Picture> cameraAndFinal() {
+std::vector<NumberedPicture> cameraAndFinal() {
   return {
       {id("19"), "Image 19: a wide angle", "12.1", scene(19, "100", kGamma), "90 degrees from top to bottom."},
       {id("20"), "Image 20: from farther away", "12.2", scene(20, "100", kGamma), ""},
@@ -75,11 +75,11 @@ std::vector<Picture> cameraAndFinal() {
 
 }  // namespace
 
-const std::vector<Picture>& oneWeekend() {
-  static const std::vector<Picture> all = [] {
-    std::vector<Picture> pictures = normalsAndDiffuse();
-    for (Picture& picture : metalAndGlass()) pictures.push_back(std::move(picture));
-    for (Picture& picture : cameraAndFinal()) pictures.push_back(std::move(picture));
+const std::vector<NumberedPicture>& oneWeekend() {
+  static const std::vector<NumberedPicture> all = [] {
+    std::vector<NumberedPicture> pictures = normalsAndDiffuse();
+    for (NumberedPicture& picture : metalAndGlass()) pictures.push_back(std::move(picture));
+    for (NumberedPicture& picture : cameraAndFinal()) pictures.push_back(std::move(picture));
     return pictures;
   }();
   return all;

@@ -25,7 +25,7 @@ constexpr const char* kInOneWeekend =
     "command. Up to Image 11 the book writes linear values, from Image 12 on their square roots.</p>\n";
 
 struct Shown {
-  const Picture* picture;
+  const NumberedPicture* picture;
   Rendering rendering;
   std::optional<Measurement> measured;
 };
@@ -53,7 +53,7 @@ std::string figuresText(const Shown& shown) {
 }
 
 std::string card(const Shown& shown) {
-  const Picture& picture = *shown.picture;
+  const NumberedPicture& picture = *shown.picture;
   std::string html = fmt::format("<div class=\"card\" id=\"{}\">\n<img src=\"{}\" alt=\"{}\"{}>\n<div>\n<h3>{}</h3>\n",
                                  picture.id, picture.file(), escaped(picture.title),
                                  picture.enlarged ? " class=\"enlarged\"" : "", escaped(picture.title));
@@ -70,7 +70,7 @@ std::string card(const Shown& shown) {
 std::string summary(const std::vector<Shown>& all) {
   std::vector<Row> rows;
   for (const Shown& shown : all) {
-    const Picture& picture = *shown.picture;
+    const NumberedPicture& picture = *shown.picture;
     rows.push_back({{fmt::format("<a href=\"#{}\">{}</a>", picture.id, escaped(picture.title)),
                      escaped(picture.section), rate(shown.rendering.samplesPerSecond()), figure(shown.measured->relMse),
                      ratioText(*shown.measured), picture.bias.empty() ? "" : biasText(*shown.measured)}});
@@ -78,7 +78,7 @@ std::string summary(const std::vector<Shown>& all) {
   return table({"picture", "section", "samples/s", "relMSE", "ratio", "bias"}, rows);
 }
 
-Shown show(const Picture& picture, const std::filesystem::path& folder, const Effort& effort) {
+Shown show(const NumberedPicture& picture, const std::filesystem::path& folder, const Effort& effort) {
   Shown shown{&picture, renderPicture(picture, effort), std::nullopt};
   writePicture(shown.rendering, folder / picture.file());
   return shown;
@@ -94,7 +94,7 @@ void writePage(const std::filesystem::path& path, const std::string& html) {
 void writeRestOfYourLife(const std::filesystem::path& folder, const Effort& effort, Tally& tally) {
   Measurer measurer(effort);
   std::vector<Shown> all;
-  for (const Picture& picture : restOfYourLife()) {
+  for (const NumberedPicture& picture : restOfYourLife()) {
     Shown shown = show(picture, folder, effort);
     shown.measured = measurer.measure(shown.rendering, picture.command[1]);
     app::printOut(fmt::format("{}: {} s, relMSE {}, ratio {}, mean {}\n", picture.id, figure(shown.rendering.seconds()),
@@ -113,7 +113,7 @@ void writeRestOfYourLife(const std::filesystem::path& folder, const Effort& effo
 
 void writeInOneWeekend(const std::filesystem::path& folder, const Effort& effort, Tally& tally) {
   std::string body = kInOneWeekend;
-  for (const Picture& picture : oneWeekend()) {
+  for (const NumberedPicture& picture : oneWeekend()) {
     const Shown shown = show(picture, folder, effort);
     app::printOut(fmt::format("{}: {} s\n", picture.id, figure(shown.rendering.seconds())));
     tally.add(shown.rendering);

@@ -8,16 +8,16 @@ std::string quoted(const std::string& word) { return word.find(' ') == std::stri
 
 }  // namespace
 
-std::string Picture::commandLine() const {
+std::string NumberedPicture::commandLine() const {
   if (mistake != Mistake::None) return "steradian-books --only " + id + " -o .";
   std::string line = "steradian";
   for (const std::string& word : command) line += " " + quoted(word);
   return line + " -o " + file();
 }
 
-const Picture* findPicture(const std::string& id) {
+const NumberedPicture* findPicture(const std::string& id) {
   for (const auto* pictures : {&restOfYourLife(), &oneWeekend()}) {
-    for (const Picture& picture : *pictures) {
+    for (const NumberedPicture& picture : *pictures) {
       if (picture.id == id) return &picture;
     }
   }

@@ -7,7 +7,7 @@
 
 namespace steradian::books {
 
-struct Picture {
+struct NumberedPicture {
   std::string id;                    ///< the name of its file, without .png
   std::string title;                 ///< "Image 4: what is new in it"
   std::string section;               ///< of the book
@@ -23,10 +23,10 @@ struct Picture {
 };
 
 /// "The Rest of Your Life" v4: Image 1 to 15, and Image 4 put right.
-const std::vector<Picture>& restOfYourLife();
+const std::vector<NumberedPicture>& restOfYourLife();
 /// "In One Weekend" v4: Image 4 to 23.
-const std::vector<Picture>& oneWeekend();
+const std::vector<NumberedPicture>& oneWeekend();
 /// nullptr if there is none.
-const Picture* findPicture(const std::string& id);
+const NumberedPicture* findPicture(const std::string& id);
 
 }  // namespace steradian::books

@@ -27,7 +27,7 @@ app::RenderOptions parseRender(const std::vector<std::string>& words) {
   return app::checkRenderOptions(texts, arguments);
 }
 
-app::RenderOptions optionsOf(const Picture& picture, const Effort& effort) {
+app::RenderOptions optionsOf(const NumberedPicture& picture, const Effort& effort) {
   std::vector<std::string> words = picture.command;
   for (const std::string& word : effort.overrules()) words.push_back(word);
   if (effort.quick && picture.enlarged) words.insert(words.end(), {"--crop", "10,26,6,15"});
@@ -46,7 +46,7 @@ Rendering renderScene(const Scene& scene, app::RenderOptions options, const Inte
   return {result.film.image({.features = false}), result.statistics, std::move(options)};
 }
 
-Rendering renderPicture(const Picture& picture, const Effort& effort) {
+Rendering renderPicture(const NumberedPicture& picture, const Effort& effort) {
   app::RenderOptions options = optionsOf(picture, effort);
   const Scene scene(std::move(options.scene));
   const BookIntegrator wrong(picture.mistake);

@@ -25,7 +25,7 @@ struct Effort {
 /// What `steradian` would make of the words, "render" first. Throws Error (Usage) as it does.
 app::RenderOptions parseRender(const std::vector<std::string>& words);
 /// The options of a picture.
-app::RenderOptions optionsOf(const Picture& picture, const Effort& effort);
+app::RenderOptions optionsOf(const NumberedPicture& picture, const Effort& effort);
 
 struct Rendering {
   Image image;  ///< with standard errors
@@ -39,7 +39,7 @@ struct Rendering {
 /// Of the path integrator and the settings that the options say, or of an integrator given.
 Rendering renderScene(const Scene& scene, app::RenderOptions options, const Integrator* integrator = nullptr);
 /// Builds the scene first; with the picture's mistake.
-Rendering renderPicture(const Picture& picture, const Effort& effort);
+Rendering renderPicture(const NumberedPicture& picture, const Effort& effort);
 /// The file of a picture, by the view that its command says.
 void writePicture(const Rendering& rendering, const std::filesystem::path& path);
 

@@ -24,7 +24,7 @@ Words command(const char* scene, const char* samples, const char* integrator, co
   return words;
 }
 
-std::vector<Picture> firstHalf() {
+std::vector<NumberedPicture> firstHalf() {
   Words independent = command("cornell-original", "64", kPlain, "bsdf");
   independent[7] = "independent";
   return {
@@ -59,7 +59,7 @@ std::vector<Picture> firstHalf() {
   };
 }
 
-std::vector<Picture> secondHalf() {
+std::vector<NumberedPicture> secondHalf() {
   return {
       {"rest-of-your-life-08", "Image 8: a light that faces down", "9.3",
        command("cornell-box", "10", kWeightOne, "mixture"), "10 samples. The same with a light of one side.",
@@ -91,10 +91,10 @@ std::vector<Picture> secondHalf() {
 
 }  // namespace
 
-const std::vector<Picture>& restOfYourLife() {
-  static const std::vector<Picture> all = [] {
-    std::vector<Picture> pictures = firstHalf();
-    for (Picture& picture : secondHalf()) pictures.push_back(std::move(picture));
+const std::vector<NumberedPicture>& restOfYourLife() {
+  static const std::vector<NumberedPicture> all = [] {
+    std::vector<NumberedPicture> pictures = firstHalf();
+    for (NumberedPicture& picture : secondHalf()) pictures.push_back(std::move(picture));
     return pictures;
   }();
   return all;

@@ -66,7 +66,7 @@ std::string commandsOf(const std::vector<Trial>& trials) {
   std::string lines;
   for (const Trial& trial : trials) {
     if (trial.change) continue;
-    Picture picture;
+    NumberedPicture picture;
     picture.id = trial.picture.empty() ? "trial" : trial.picture.substr(0, trial.picture.rfind('.'));
     picture.command = trial.command;
     lines += (lines.empty() ? "" : "\n") + picture.commandLine();

@@ -11,6 +11,7 @@
 #include "steradian/apps/montecarlo/report.h"
 #include "steradian/apps/steradian/console.h"
 #include "steradian/apps/steradian/exit_codes.h"
+#include "steradian/apps/steradian/parse.h"
 #include "steradian/apps/steradian/program.h"
 #include "steradian/core/atomic_file.h"
 
@@ -83,23 +84,8 @@ int runProgram(int argc, char** argv) {
   app.add_option("--picture", texts.picture, "draw the directions of \"directions\"")->option_text("FILE.svg");
   app.add_flag("--json", texts.json, "print JSON");
   app.footer(footer());
-  app.allow_extras();  // our own complaint comes together with those about values
   Arguments arguments;
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::CallForHelp&) {
-    printOut(app.help());
-    return kExitSuccess;
-  } catch (const CLI::CallForVersion&) {
-    printOut(STERADIAN_VERSION "\n");
-    return kExitSuccess;
-  } catch (const CLI::ParseError& problem) {
-    arguments.problem(problem.what());
-  }
-  std::vector<std::string> known;
-  for (const CLI::Option* option : app.get_options())
-    for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
-  arguments.unexpected(app.remaining(true), known);
+  if (const auto done = parse(app, argc, argv, arguments)) return *done;
   return runOptions(optionsOf(texts, arguments));
 }
 

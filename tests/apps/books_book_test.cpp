@@ -9,7 +9,7 @@
 namespace steradian::cli {
 namespace {
 
-using books::Picture;
+using books::NumberedPicture;
 
 class Book : public CliTest {
  protected:
@@ -31,7 +31,7 @@ TEST_F(Book, WritesEveryPictureAndEveryPage) {
   for (const auto& [name, pictures] : {std::pair("book/rest-of-your-life.html", &books::restOfYourLife()),
                                        std::pair("book/in-one-weekend.html", &books::oneWeekend())}) {
     const std::string html = text(name);
-    for (const Picture& picture : *pictures) {
+    for (const NumberedPicture& picture : *pictures) {
       SCOPED_TRACE(picture.id);
       EXPECT_NE(html.find("<img src=\"" + picture.file() + "\""), std::string::npos);
       EXPECT_GT(readImage(path("book/" + picture.file())).width(), 8);
@@ -59,7 +59,7 @@ TEST_F(Book, WritesEveryPictureAndEveryPage) {
 // (That they all parse is books_test.cpp's: starting the program takes long.)
 TEST_F(Book, TheProgramTakesTheCommandsOfThePages) {
   for (const auto* pictures : {&books::restOfYourLife(), &books::oneWeekend()}) {
-    for (const Picture& picture : *pictures) {
+    for (const NumberedPicture& picture : *pictures) {
       SCOPED_TRACE(picture.id);
       if (picture.mistake != books::Mistake::None || std::stoi(picture.title.substr(6)) % 4 != 2) continue;
       std::vector<std::string> words = picture.command;

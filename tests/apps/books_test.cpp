@@ -14,9 +14,9 @@ namespace steradian::books {
 namespace {
 
 /// The numbers in "Image N: ..." and "Image N, ...".
-std::set<int> numbersOf(const std::vector<Picture>& pictures) {
+std::set<int> numbersOf(const std::vector<NumberedPicture>& pictures) {
   std::set<int> numbers;
-  for (const Picture& picture : pictures) numbers.insert(std::stoi(picture.title.substr(6)));
+  for (const NumberedPicture& picture : pictures) numbers.insert(std::stoi(picture.title.substr(6)));
   return numbers;
 }
 
@@ -34,7 +34,7 @@ TEST(Books, EveryNumberedPictureIsThere) {
 TEST(Books, EveryPictureHasItsOwnNameAndACommandThatParses) {
   std::set<std::string> names;
   for (const auto* pictures : {&restOfYourLife(), &oneWeekend()}) {
-    for (const Picture& picture : *pictures) {
+    for (const NumberedPicture& picture : *pictures) {
       SCOPED_TRACE(picture.id);
       EXPECT_TRUE(names.insert(picture.id).second);
       EXPECT_EQ(findPicture(picture.id), &picture);

@@ -1,0 +1,14 @@
+#pragma once
+/// Reading a command line whose mistakes are told all at once.
+#include <CLI/CLI.hpp>
+#include <optional>
+
+#include "steradian/apps/steradian/arguments.h"
+
+namespace steradian::app {
+
+/// For a program without commands: parses, prints what --help and --version ask for, and adds what is wrong and which
+/// words are unknown to `arguments`. The exit code if the program is done.
+std::optional<int> parse(CLI::App& app, int argc, char** argv, Arguments& arguments);
+
+}  // namespace steradian::app
