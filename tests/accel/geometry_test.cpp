@@ -12,27 +12,10 @@
 #include "steradian/accel/surface_point_of.h"
 #include "steradian/core/diagnostics.h"
 #include "steradian/tests/accel/random_scene.h"
+#include "steradian/tests/accel/same_hits.h"
 
 namespace steradian::test {
 namespace {
-
-constexpr std::uint32_t kAlways = 0xffffffffu;
-
-/// A loop over everything, without a hierarchy.
-GeometrySettings direct() { return {.directClusters = kAlways, .clusteredTriangles = kAlways}; }
-/// A hierarchy over anything.
-GeometrySettings hierarchy() { return {.directClusters = 0, .clusteredTriangles = kAlways}; }
-
-void expectSame(const Hit<float>& a, const Hit<float>& b) {
-  ASSERT_EQ(a.valid, b.valid);
-  if (!a.valid) return;
-  ASSERT_EQ(a.t, b.t);
-  ASSERT_EQ(a.u, b.u);
-  ASSERT_EQ(a.v, b.v);
-  ASSERT_EQ(a.shape, b.shape);
-  ASSERT_EQ(a.primitive, b.primitive);
-  ASSERT_EQ(a.instance, b.instance);
-}
 
 TEST(Geometry, HierarchyGivesTheHitsOfALoopOverAllKinds) {
   const auto scene = std::make_shared<SceneDescription>(randomScene(1, 400));

@@ -9,25 +9,10 @@
 #include "steradian/core/diagnostics.h"
 #include "steradian/core/motion.h"
 #include "steradian/tests/accel/leaving_rays.h"
+#include "steradian/tests/accel/same_hits.h"
 
 namespace steradian::test {
 namespace {
-
-constexpr std::uint32_t kAlways = 0xffffffffu;
-
-GeometrySettings direct() { return {.directClusters = kAlways, .clusteredTriangles = kAlways}; }
-GeometrySettings hierarchy() { return {.directClusters = 0, .clusteredTriangles = kAlways}; }
-
-void expectSame(const Hit<float>& a, const Hit<float>& b) {
-  ASSERT_EQ(a.valid, b.valid);
-  if (!a.valid) return;
-  ASSERT_EQ(a.t, b.t);
-  ASSERT_EQ(a.u, b.u);
-  ASSERT_EQ(a.v, b.v);
-  ASSERT_EQ(a.shape, b.shape);
-  ASSERT_EQ(a.primitive, b.primitive);
-  ASSERT_EQ(a.instance, b.instance);
-}
 
 Ray<float> rayAtSomeTime(Random& random, float reach) {
   Ray<float> ray = random.ray(reach);
