@@ -165,6 +165,42 @@ TEST(Reference, OnePercentTooBrightIsFound) {
   EXPECT_FALSE(zTest(ours, &ours, theirs, &error).passed);
 }
 
+/// The tall box is fog, and fog fills a ball of water; `anisotropy`: of the fog.
+///
+/// The box stands on the floor. A ray of pbrt's that goes down inside of it meets box or floor first, as rounding has
+/// it, and if it is the box goes on from behind the floor: half of them are lost. Here half of the light is, under the
+/// box.
+SceneDescription foggyRoom(float anisotropy, float floorUnderBox = 0.5f * 0.73f) {
+  SceneDescription scene = greyed("cornell-box");
+  scene.defaults.maxDepth = 100;
+  std::erase_if(scene.shapes, [](const ShapeDescription& s) { return s.name == "short box"; });
+  const Id fog =
+      scene.addMedium({.name = "fog", .absorption = grey(0.002f), .scattering = grey(0.02f), .anisotropy = anisotropy});
+  ShapeDescription& box = scene.shapes.back();
+  EXPECT_EQ(box.name, "tall box");
+  box.material = scene.addMaterial("interface", InterfaceMaterial{});
+  box.interior = Interior{fog};
+  SphereSet ball;
+  ball.add({190.0f, 90.1f, 190.0f}, 90.0f);
+  const Id water = scene.addMaterial("water", DielectricMaterial{.eta = 1.33f});
+  scene.shapes[scene.addShape("ball", std::move(ball), water)].interior = Interior{fog};
+  QuadSet under;  // turned by 15 degrees
+  under.add({265.0f, 0.01f, 295.0f}, {42.705144f, 0.0f, 159.37776f}, {159.37776f, 0.0f, -42.705144f});
+  scene.addShape("under the box", std::move(under),
+                 scene.addMaterial("half", LambertMaterial{scene.addColour(grey(floorUnderBox))}));
+  return scene;
+}
+
+TEST(Reference, Fog) { expectAgreement(renderScene(foggyRoom(0.4f), "path", 1024), "fog"); }
+
+TEST(Reference, OtherFogIsFound) {
+  const Image theirs = readReference("fog.exr"), error = readReference("fog.stderr.exr");
+  for (const SceneDescription& scene : {foggyRoom(0.35f), foggyRoom(0.4f, 0.73f)}) {
+    const Image ours = renderScene(scene, "path", 256);
+    EXPECT_FALSE(zTest(ours, &ours, theirs, &error).passed);
+  }
+}
+
 /// The checkerboard of 8 x 4 cells: a picture of as many pixels, bright in the lower left corner.
 Id addCheckerboard(SceneDescription& scene) {
   Image cells(8, 4, {"Y"});
