@@ -30,8 +30,7 @@ class Validator {
     }
     for (const MaterialDescription& m : scene_.materials) checkMaterial(m);
     for (const MediumDescription& m : scene_.media) checkMedium(m);
-    if (scene_.outside != kNone && scene_.outside >= scene_.media.size())
-      error({}, "the medium around everything is not in the scene");
+    checkOutside();
     for (const SurfaceEmission& e : scene_.emissions)
       if (!nonNegative(e.radiance)) error({}, "an emission's radiance must be finite and not negative");
     for (const ShapeDescription& s : scene_.shapes) checkShape(s);
@@ -109,6 +108,28 @@ class Validator {
             fmt::format("medium \"{}\": anisotropy must lie between -1 and 1, not be {}", m.name, m.anisotropy));
   }
 
+  void checkOutside() {
+    if (scene_.outside == kNone) return;
+    if (scene_.outside >= scene_.media.size()) {
+      error({}, "the medium around everything is not in the scene");
+      return;
+    }
+    const MediumDescription& m = scene_.media[scene_.outside];
+    const auto endless = [](float emission, float absorption, float scattering) {
+      return emission > 0.0f && !(absorption + scattering > 0.0f);
+    };
+    if (endless(m.emission.r, m.absorption.r, m.scattering.r) ||
+        endless(m.emission.g, m.absorption.g, m.scattering.g) || endless(m.emission.b, m.absorption.b, m.scattering.b))
+      error(m.where,
+            fmt::format("medium \"{}\" is around everything and emits without absorbing: its radiance is infinite",
+                        m.name));
+  }
+
+  bool isNothing(Id material) const {
+    return material < scene_.materials.size() &&
+           std::holds_alternative<InterfaceMaterial>(scene_.materials[material].model);
+  }
+
   void checkReflectance(const MaterialDescription& m, Id texture) {
     if (!textureExists(texture)) {
       error(m.where, fmt::format("material \"{}\": its reflectance is no texture of the scene", m.name));
@@ -151,6 +172,12 @@ class Validator {
     if (bad) error(s.where, fmt::format("shape \"{}\" has a material that is not in the scene", s.name));
     if (s.emission != kNone && s.emission >= scene_.emissions.size())
       error(s.where, fmt::format("shape \"{}\" has an emission that is not in the scene", s.name));
+    const bool invisible =
+        isNothing(s.material) || std::any_of(s.primitiveMaterials.begin(), s.primitiveMaterials.end(),
+                                             [&](Id material) { return isNothing(material); });
+    if (s.emission != kNone && invisible)
+      error(s.where,
+            fmt::format("shape \"{}\" emits, but is a boundary that rays cross; a medium in it can emit", s.name));
     if (s.emission != kNone && std::holds_alternative<CustomShapeSet>(s.geometry))
       error(s.where, fmt::format("shape \"{}\": a custom shape cannot be a light", s.name));
     if (s.target && std::holds_alternative<CustomShapeSet>(s.geometry))

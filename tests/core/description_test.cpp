@@ -60,6 +60,36 @@ TEST(Description, EachFaultIsFound) {
   EXPECT_EQ(complaints([](auto& s) { s.camera = PerspectiveCamera{.verticalFov = 180.0f}; }), 1u);
 }
 
+TEST(Description, FaultsOfMediaAreFound) {
+  const auto filled = [](MediumDescription medium, Interior interior = {0, 0}) {
+    return complaints([&](auto& s) {
+      s.addMedium(medium);
+      s.shapes[0].interior = interior;
+    });
+  };
+  EXPECT_EQ(filled({.scattering = grey(1.0f), .anisotropy = -0.9f}), 0u);
+  EXPECT_EQ(filled({.scattering = grey(-1.0f)}), 1u);
+  EXPECT_EQ(filled({.absorption = grey(NAN)}), 1u);
+  EXPECT_EQ(filled({.anisotropy = 1.0f}), 1u);
+  EXPECT_EQ(filled({}, {1, 0}), 1u) << "no such medium";
+  EXPECT_EQ(filled({}, {0, -1}), 1u) << "a priority below 0";
+  EXPECT_EQ(complaints([](auto& s) {
+              QuadSet quad;
+              quad.add({}, {1, 0, 0}, {0, 1, 0});
+              s.shapes[s.addShape("open", quad, 0)].interior = Interior{};
+            }),
+            1u);
+  EXPECT_EQ(complaints([](auto& s) { s.outside = 0; }), 1u);
+  EXPECT_EQ(complaints([](auto& s) { s.outside = s.addMedium({.absorption = grey(1.0f), .emission = grey(1.0f)}); }),
+            0u);
+  EXPECT_EQ(complaints([](auto& s) { s.outside = s.addMedium({.emission = {0.0f, 1.0f, 0.0f}}); }), 1u) << "infinite";
+  EXPECT_EQ(complaints([](auto& s) {
+              s.shapes[0].material = s.addMaterial("air", InterfaceMaterial{});
+              s.setEmission(0, {grey(1.0f), false});
+            }),
+            1u);
+}
+
 TEST(Description, AllFaultsAtOnce) {
   EXPECT_EQ(complaints([](auto& s) {
               s.shapes[0].material = 7;
