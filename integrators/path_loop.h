@@ -122,15 +122,23 @@ Rgb visibility(Queries& queries, const Vertex& vertex, Ray<float> ray) {
   if (volumes.empty()) return grey(1.0f);
   Bodies bodies = *vertex.bodies;
   if (vertex.surface != nullptr) volumes.scatter(*vertex.surface, vertex.wo, ray.direction, bodies);
-  LightWay way;
+  Rgb share = grey(1.0f);
+  const auto reach = [&](float distance) {
+    share *= volumes.media().at<float>(volumes.mediumIn(bodies)).transmittance(distance - ray.tMin);
+  };
   if (!volumes.passable()) {
-    way.advance(volumes, {}, ray, bodies);
-  } else {
-    queries.countShadowRay();
-    while (way.advance(volumes, queries.surfacePoint(ray, queries.intersect(ray)), ray, bodies)) {
-    }
+    reach(ray.tMax);
+    return share;
   }
-  return way.transmittance();
+  queries.countShadowRay();
+  SurfacePoint<float> met;
+  Crossings crossings;
+  do {
+    met = queries.surfacePoint(ray, queries.intersect(ray));
+    reach(met.valid ? met.distance : ray.tMax);
+    if (!met.valid) return share;
+  } while (!isBlack(share) && crossings.pass(volumes, met, ray, bodies));
+  return {};
 }
 
 /// Radiance that leaves the vertex towards wo, of light that arrives straight from the lights.
@@ -175,19 +183,18 @@ inline PathVertex<Bsdf> vertexOf(const PathPlan& plan, const SurfacePoint<float>
 }
 
 /// The vertex where a medium scatters; what must outlive it, likewise.
-inline PathVertex<Phase<float>> vertexOf(const Flight& flight, const Phase<float>& phase, Vec3f wo, float time,
+inline PathVertex<Phase<float>> vertexOf(Vec3f position, const Phase<float>& phase, Vec3f wo, float time,
                                          const Bodies& bodies) {
-  return {{flight.position(), {}, {}, time}, wo, wo, phase, ScatterPdf::Bsdf, 0.0f, true, &bodies, nullptr};
+  return {{position, {}, {}, time}, wo, wo, phase, ScatterPdf::Bsdf, 0.0f, true, &bodies, nullptr};
 }
 
 /// What the path met first, where that is a medium.
-inline void setFirstHit(PixelSample& sample, const Flight& flight) {
-  const Medium& medium = *flight.scatteredBy();
+inline void setFirstHit(PixelSample& sample, const Medium<float>& medium, float distance) {
   sample.alpha = 1.0f;
   const auto share = [](float part, float whole) { return whole > 0.0f ? part / whole : 0.0f; };
   sample.albedo = {share(medium.scattering.r, medium.extinction.r), share(medium.scattering.g, medium.extinction.g),
                    share(medium.scattering.b, medium.extinction.b)};
-  sample.depth = flight.distance();
+  sample.depth = distance;
 }
 
 /// The probability of going on (PathSettings::rouletteStrength); `refraction` is what refraction has divided the
@@ -208,16 +215,34 @@ BsdfSample<float> scatteredRay(const PathPlan& plan, Queries& queries, const Ver
   return scatter(vertex, random);
 }
 
-/// The surface that a path's ray meets, if no medium scatters it before: then, and where there is none, it is not
-/// valid. `ray` ends as the last segment of the flight, `bodies` as what that is inside of.
+/// Where a path's ray leads it.
+struct Arrival {
+  SurfacePoint<float> surface;  ///< valid if the path has come to one
+  float outsideEta = 1.0f;      ///< see Boundary: of the surface
+  bool inMedium = false;        ///< scattered before: in `medium`, `distance` from the ray's origin
+  Medium<float> medium;
+  float distance = 0.0f;
+  bool isLost = false;  ///< given up (see Crossings)
+};
+
+/// The flight along `ray` to where it arrives, inside of `bodies` in the end.
 template <class Queries>
-SurfacePoint<float> fly(Queries& queries, Flight& flight, Ray<float>& ray, Bodies& bodies) {
-  for (;;) {
-    SurfacePoint<float> met = queries.surfacePoint(ray, queries.intersect(ray));
-    if (flight.advance(queries.volumes(), met, ray, bodies)) continue;
-    met.valid = met.valid && flight.scatteredBy() == nullptr;
-    return met;
-  }
+Arrival fly(Queries& queries, Flight<float>& flight, Ray<float> ray, Bodies& bodies) {
+  const Volumes& volumes = queries.volumes();
+  Arrival arrival;
+  Crossings crossings;
+  do {
+    arrival.surface = queries.surfacePoint(ray, queries.intersect(ray));
+    arrival.medium = volumes.media().at<float>(volumes.mediumIn(bodies));
+    const float distance = arrival.surface.valid ? arrival.surface.distance : kInfinity;
+    arrival.inMedium = flight.travel(arrival.medium, ray, distance, true);
+    if (!arrival.surface.valid || arrival.inMedium) break;
+  } while (crossings.pass(volumes, arrival.surface, ray, bodies));
+  arrival.surface.valid = arrival.surface.valid && !arrival.inMedium;
+  arrival.distance = flight.distance();
+  arrival.outsideEta = crossings.outsideEta();
+  arrival.isLost = crossings.isLost();
+  return arrival;
 }
 
 /// One path along `ray`: the radiance that arrives by it, and what it met first.
@@ -234,17 +259,17 @@ PixelSample tracePath(const PathPlan& plan, Queries& queries, Ray<float> ray, co
   const float lightSamples = static_cast<float>(plan.lightSamples);
   std::uint32_t bounce = 0;
   for (;; ++bounce) {
-    Flight flight;
-    SurfacePoint<float> surface;
+    Arrival arrival;
     if (hasVolumes) {
-      flight = Flight(throughput, sampler.get2D(bounce, Purpose::Phase));
-      surface = fly(queries, flight, ray, bodies);
+      Flight<float> flight(throughput, sampler.get2D(bounce, Purpose::Phase));
+      arrival = fly(queries, flight, ray, bodies);
       result.radiance += throughput * flight.emitted();
-      throughput *= flight.weight();
+      throughput = arrival.isLost ? Rgb{} : throughput * flight.weight();
     } else {
-      surface = queries.surfacePoint(ray, queries.intersect(ray));
+      arrival.surface = queries.surfacePoint(ray, queries.intersect(ray));
     }
-    const bool inMedium = flight.scatteredBy() != nullptr;
+    const SurfacePoint<float>& surface = arrival.surface;
+    const bool inMedium = arrival.inMedium;
     if (!inMedium) {
       const Emission<float> emission = queries.emission(*plan.lights, from, ray, surface);
       const float weight = emission.pdf > 0.0f ? misWeight(fromDensity, lightSamples * emission.pdf) : 1.0f;
@@ -268,12 +293,12 @@ PixelSample tracePath(const PathPlan& plan, Queries& queries, Ray<float> ray, co
     const bool last = bounce == plan.maxDepth;
     BsdfSample<float> next;
     if (inMedium) {
-      if (bounce == 0) setFirstHit(result, flight);
+      if (bounce == 0) setFirstHit(result, arrival.medium, arrival.distance);
       if (last) break;
-      const Phase<float> phase{flight.scatteredBy()->anisotropy};
-      next = shade(vertexOf(flight, phase, wo, ray.time, bodies));
+      const Phase<float> phase{arrival.medium.anisotropy};
+      next = shade(vertexOf(ray.at(arrival.distance), phase, wo, ray.time, bodies));
     } else {
-      const Bsdf bsdf = queries.bsdf(surface, wo, flight.outsideEta());
+      const Bsdf bsdf = queries.bsdf(surface, wo, arrival.outsideEta);
       if (bounce == 0) setFirstHit(result, surface, bsdf, wo);
       if (last) break;
       next = shade(vertexOf(plan, surface, bsdf, wo, ray.time, bodies));

@@ -256,20 +256,17 @@ typename PathPacket<F>::Vertex PathPacket<F>::vertexAt(const SurfacePoint<F>& su
 /// What media make of the vertices: places where they scatter, and the index around dielectrics.
 template <class F>
 void PathPacket<F>::addMedia(Vertex& vertex, Mask hit, std::span<PixelSample> results) {
-  vertex.inMedium = flight_.inMedium();
-  forEachLane(hit, [&](int i) {
-    const Flight& flight = flight_.flight(i);
-    if (!lane(vertex.inMedium, i)) {
-      if (lane(vertex.material.model, i) == kDielectric) {
-        setLane(vertex.material.eta, i, lane(vertex.material.eta, i) / flight.outsideEta());
-      }
-      return;
-    }
-    setLane(vertex.point.position, i, flight.position());
-    setLane(vertex.point.positionError, i, Vec3f{});
-    setLane(vertex.point.geometricNormal, i, Vec3f{});
-    setLane(vertex.anisotropy, i, flight.scatteredBy()->anisotropy);
-    if (lane(bounce_, i) == 0) setFirstHit(results[number_[static_cast<std::size_t>(i)]], flight);
+  const Mask inMedium = flight_.inMedium();
+  vertex.inMedium = inMedium;
+  F& eta = vertex.material.eta;
+  eta = select(vertex.material.model == Uint(kDielectric), eta / flight_.outsideEta(), eta);
+  vertex.point.position = select(inMedium, flight_.position(), vertex.point.position);
+  vertex.point.positionError = select(inMedium, Vec3<F>{}, vertex.point.positionError);
+  vertex.point.geometricNormal = select(inMedium, Vec3<F>{}, vertex.point.geometricNormal);
+  vertex.anisotropy = flight_.medium().anisotropy;
+  forEachLane(hit & inMedium & (bounce_ == Uint(0u)), [&](int i) {
+    PixelSample& result = results[number_[static_cast<std::size_t>(i)]];
+    setFirstHit(result, lane(flight_.medium(), i), lane(flight_.distance(), i));
   });
 }
 
@@ -351,12 +348,11 @@ BsdfSample<F> PathPacket<F>::shadeByLane(const SurfacePoint<F>& surface, Mask go
       setLane(samples.pdf, i, next.pdf);
       setLane(samples.eta, i, next.eta);
     };
-    const Flight& flight = flight_.flight(i);
-    if (flight.scatteredBy() != nullptr) {
-      const Phase<float> phase{flight.scatteredBy()->anisotropy};
-      shade(vertexOf(flight, phase, wo, time, flight_.bodies(i)));
+    if (lane(flight_.inMedium(), i)) {
+      const Phase<float> phase{lane(flight_.medium().anisotropy, i)};
+      shade(vertexOf(lane(flight_.position(), i), phase, wo, time, flight_.bodies(i)));
     } else {
-      const Bsdf bsdf = scene_.scene().materials().bsdf(point, wo, flight.outsideEta());
+      const Bsdf bsdf = scene_.scene().materials().bsdf(point, wo, lane(flight_.outsideEta(), i));
       shade(vertexOf(plan_, point, bsdf, wo, time, flight_.bodies(i)));
     }
   });
@@ -365,15 +361,13 @@ BsdfSample<F> PathPacket<F>::shadeByLane(const SurfacePoint<F>& surface, Mask go
 
 template <class F>
 void PathPacket<F>::step(CameraSamples<F>& samples, std::span<PixelSample> results) {
-  SurfacePoint<F> surface;
-  Mask hit, arrived = active_;
+  const SurfacePoint<F> surface =
+      hasVolumes_ ? flight_.fly(ray_, active_, sampler_->get2D(bounce_, Purpose::Phase), throughput_, radiance_)
+                  : scene_.intersect(ray_, active_);
+  Mask hit = active_ & surface.valid, arrived = active_;
   if (hasVolumes_) {
-    surface = flight_.fly(ray_, active_, sampler_->get2D(bounce_, Purpose::Phase), throughput_, radiance_);
     arrived = active_ & !flight_.inMedium();
-    hit = active_ & (surface.valid | flight_.inMedium()) & !isBlack(throughput_);
-  } else {
-    surface = scene_.intersect(ray_, active_);
-    hit = active_ & surface.valid;
+    hit = (hit | (active_ & flight_.inMedium())) & !isBlack(throughput_);
   }
   addEmission(surface, arrived);
   const Vertex vertex = vertexAt(surface, hit, results);

@@ -50,12 +50,21 @@ Volumes::Volumes(const SceneDescription& scene) : media_(scene.media), outside_(
     needed_ = true;
     passable_ = passable_ || closed.interior.priority > 0;
   }
+  for (const ShapeDescription& shape : scene.shapes) {
+    const auto isInterface = [&](Id material) {
+      return material < materials_.size() && materials_[material].isInterface;
+    };
+    const bool more = shape.interior || isInterface(shape.material) ||
+                      std::any_of(shape.primitiveMaterials.begin(), shape.primitiveMaterials.end(), isInterface);
+    moreThanWall_.push_back(more ? 1u : 0u);
+  }
   needed_ = needed_ || passable_ || outside_ != kNone;
 }
 
-const Medium* Volumes::medium(const Bodies& bodies) const {
+std::uint32_t Volumes::mediumIn(const Bodies& bodies) const {
   const Bodies::Body* top = bodies.top();
-  return media_.find(top != nullptr ? top->medium : outside_);
+  const Id medium = top != nullptr ? top->medium : outside_;
+  return medium < media_.none() ? medium : media_.none();
 }
 
 Bodies::Body Volumes::bodyOf(const SurfacePoint<float>& at) const {

@@ -64,8 +64,9 @@ class Volumes {
   /// Some surfaces are not real for some rays.
   bool passable() const { return passable_; }
 
-  /// Where a ray inside of `bodies` is; null: in vacuum.
-  const Medium* medium(const Bodies& bodies) const;
+  const MediumSet& media() const { return media_; }
+  /// The number of the medium that a ray inside of `bodies` is in; media().none(): in vacuum.
+  std::uint32_t mediumIn(const Bodies& bodies) const;
   /// The surface at `at`, which a ray of this direction meets from inside of `bodies`.
   Boundary boundary(const SurfacePoint<float>& at, Vec3f direction, const Bodies& bodies) const;
   /// The ray goes through the surface.
@@ -80,6 +81,11 @@ class Volumes {
   }
   /// Shapes that have an interior.
   bool isClosed(Id shape) const { return shape < closed_.size() && closed_[shape].isClosed; }
+  /// Shapes that are more than a wall to a ray: those with an interior, and those that may not be real to it.
+  template <class F>
+  MaskOf<F> isMoreThanWall(UintOf<F> shape) const {
+    return gather(moreThanWall_.data(), shape) != UintOf<F>(0u);
+  }
 
  private:
   struct Closed {
@@ -94,8 +100,9 @@ class Volumes {
 
   MediumSet media_;
   Id outside_;
-  std::vector<Closed> closed_;       ///< per shape
-  std::vector<Material> materials_;  ///< per material
+  std::vector<Closed> closed_;               ///< per shape
+  std::vector<std::uint32_t> moreThanWall_;  ///< per shape
+  std::vector<Material> materials_;          ///< per material
   bool needed_ = false, passable_ = false;
 };
 
