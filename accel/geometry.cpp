@@ -39,6 +39,9 @@ struct Hierarchy {
 /// So many clusters are met faster than their bounds (BENCHMARKS.md).
 constexpr std::uint32_t kMeetAll = 3;
 
+/// Of so many primitives points are computed for several rays at once: 80 bytes each.
+constexpr std::size_t kMostFlat = 1u << 16;
+
 /// Embree's non-robust box test, ours of clusters and the kernels differ in rounding; with bounds this much wider it
 /// passes every cluster that may hold a hit, also those exactly as far as the nearest one.
 float paddingFor(float magnitude) { return 4.0f * 0x1p-23f * magnitude; }
@@ -96,7 +99,7 @@ struct Geometry::Implementation {
   bool hasNativeTriangles = false;
   // Destroyed in reverse order: scenes before their device.
   std::unique_ptr<embree::Device> device;  ///< none: the world's clusters are tested one after the other
-  std::optional<FlatPrimitives> flat;      ///< only then
+  std::optional<FlatPrimitives> flat;      ///< see Geometry::flat
   std::vector<std::unique_ptr<Hierarchy>> groups;
   Hierarchy world;
 
@@ -367,8 +370,10 @@ Geometry::Geometry(std::shared_ptr<const SceneDescription> scene, GeometrySettin
     self.buildHierarchies();
   } else {
     if (self.world.clusters.size() > kMeetAll) self.world.clusters.cullByBounds(paddingFor(self.origins().magnitude()));
-    if (FlatPrimitives::holds(description, placed)) self.flat.emplace(description, placed);
   }
+  if (self.transforms.empty() && self.motions.empty() && !self.hasNativeTriangles &&
+      FlatPrimitives::holds(description, placed) && self.statistics.primitives() <= kMostFlat)
+    self.flat.emplace(description, placed, direct);
   self.world.clusters.dropBounds();
   self.statistics.bytes = self.world.bytes() + (self.device ? self.device->bytes() : 0) +
                           (self.transforms.capacity() + self.inverses.capacity()) * sizeof(Matrix) +
@@ -381,9 +386,8 @@ Geometry::~Geometry() = default;
 Geometry::Geometry(Geometry&&) noexcept = default;
 Geometry& Geometry::operator=(Geometry&&) noexcept = default;
 
-Hit<float> Geometry::intersect(const Ray<float>& ray) const {
+Hit<float> Geometry::intersectUsable(const Ray<float>& ray) const {
   const Implementation& self = *implementation_;
-  if (!isUsable(ray)) return {};
   LeafHit best;
   if (self.device) {
     best = embree::intersect(self.world.scene, self.forEmbree(ray));
@@ -395,9 +399,8 @@ Hit<float> Geometry::intersect(const Ray<float>& ray) const {
   return {true, best.t, best.u, best.v, best.shape, best.primitive, best.instance};
 }
 
-bool Geometry::occluded(const Ray<float>& ray) const {
+bool Geometry::occludedUsable(const Ray<float>& ray) const {
   const Implementation& self = *implementation_;
-  if (!isUsable(ray)) return false;
   return self.device ? embree::occluded(self.world.scene, self.forEmbree(ray)) : self.world.clusters.any(ray);
 }
 

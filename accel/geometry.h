@@ -20,11 +20,11 @@ class FlatPrimitives;
 std::string_view embreeVersion();
 
 struct GeometrySettings {
-  /// Scenes of at most this many clusters (and no instances, native triangles or shapes with a motion) do without a
-  /// hierarchy: a ray meets the bounds of 4 to 16 clusters at once, and those clusters that it may hit. So do shapes
-  /// and groups that move, within the hierarchy that they move through. Faster up to there (BENCHMARKS.md). Hits are
-  /// the same either way.
-  std::uint32_t directClusters = 64;
+  /// Scenes of at most this many clusters (and no instances, native triangles or shapes with a motion) do without
+  /// Embree's hierarchy: a ray meets the bounds of 16 clusters at once, and bounds of those bounds before, and then the
+  /// clusters that it may hit. So do shapes and groups that move, within the hierarchy that they move through. Faster
+  /// up to there (BENCHMARKS.md). Hits are the same either way.
+  std::uint32_t directClusters = 256;
   /// Meshes join the clusters if a scene has at most this many triangles in all: one hierarchy in place of two.
   /// Otherwise Embree keeps them, which is a tenth faster for twice the memory.
   std::size_t clusteredTriangles = 256;
@@ -57,14 +57,18 @@ class Geometry {
   Geometry& operator=(Geometry&&) noexcept;
 
   /// Nearest hit with tMin < t < tMax. A ray that is not finite, or has no direction, hits nothing.
-  Hit<float> intersect(const Ray<float>& ray) const;
+  Hit<float> intersect(const Ray<float>& ray) const { return isUsable(ray) ? intersectUsable(ray) : Hit<float>{}; }
   /// Is anything hit with tMin < t < tMax?
-  bool occluded(const Ray<float>& ray) const;
+  bool occluded(const Ray<float>& ray) const { return isUsable(ray) && occludedUsable(ray); }
+  /// The same for a ray that is known to be usable (see isUsable()).
+  Hit<float> intersectUsable(const Ray<float>& ray) const;
+  bool occludedUsable(const Ray<float>& ray) const;
   /// The point that this ray hit; `hit` must come from intersect() with the same ray. Invalid for a miss.
   SurfacePoint<float> surfacePoint(const Ray<float>& ray, const Hit<float>& hit) const;
 
-  /// The primitives of a scene that is tested without a hierarchy, for several rays at once; null for others, and for
-  /// kinds of shapes that FlatPrimitives does not hold.
+  /// The primitives for several rays at once: in scenes without instances, native triangles and shapes with a motion,
+  /// unless there are very many, or kinds that FlatPrimitives does not hold; then null. Rays meet `few` of them
+  /// directly if no hierarchy is asked for.
   const FlatPrimitives* flat() const;
 
   /// Bounds of all surfaces in the world; empty for a scene without.

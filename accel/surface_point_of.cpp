@@ -31,8 +31,7 @@ struct LocalPoint {
 
   SurfacePoint<float> operator()(const Sphere<float>& sphere) const {
     const ShapePoint<float> on = shapePoint(sphere, ray, shapeHit());
-    const float phi = arcTan2(-on.normal.z, on.normal.x) + kPi;
-    return surfacePoint(on, {clamp(phi * kInvTwoPi, 0.0f, 1.0f), arcCos(-on.normal.y) * kInvPi});
+    return surfacePoint(on, sphereUv(on.normal));
   }
 
   SurfacePoint<float> operator()(const MovingSphere<float>& sphere) const { return (*this)(sphere.at(ray.time)); }
@@ -43,33 +42,23 @@ struct LocalPoint {
       const Vec3f opposite = quad.corner + quad.u + quad.v;
       on.position = positionBetween(minimum(quad.corner, opposite), maximum(quad.corner, opposite), ray, hit.t);
     }
-    return surfacePoint(on, {clamp(hit.u, 0.0f, 1.0f), clamp(hit.v, 0.0f, 1.0f)});
+    return surfacePoint(on, quadUv(shapeHit()));
   }
 
   SurfacePoint<float> operator()(const Disk<float>& disk) const {
     const ShapePoint<float> on = shapePoint(disk, ray, shapeHit());
-    const Vec3f local = Frame<float>::fromZ(disk.normal).toLocal(on.position - disk.center);
-    const float angle = arcTan2(local.y, local.x) * kInvTwoPi;
-    const float reach = squareRoot(local.x * local.x + local.y * local.y);
-    return surfacePoint(on, {angle < 0.0f ? angle + 1.0f : angle, minimum(reach / disk.radius, 1.0f)});
+    return surfacePoint(on, uvOf(disk, on.position));
   }
 
   SurfacePoint<float> operator()(const AlignedQuad& quad) const { return (*this)(quad.quad()); }
   template <class Axes>
   SurfacePoint<float> operator()(const OrientedBox<float, Axes>& box) const {
     const BoxPlace<float> place = boxPlace(box, ray, hit.t);
-    const ShapePoint<float> on = shapePoint(box, place);
-    const Vec3f p = place.local, h = box.half;
-    const float x = (p.x + h.x) / (2.0f * h.x), y = (p.y + h.y) / (2.0f * h.y), z = (p.z + h.z) / (2.0f * h.z);
-    const bool positive = boxSide(place.face) > 0.0f;
-    if (place.face < 2.0f) return surfacePoint(on, {positive ? 1.0f - z : z, y});
-    if (place.face < 4.0f) return surfacePoint(on, {x, positive ? 1.0f - z : z});
-    return surfacePoint(on, {positive ? x : 1.0f - x, y});
+    return surfacePoint(shapePoint(box, place), uvOf(box, place));
   }
 
   SurfacePoint<float> operator()(const Triangle<float>& t) const {
-    const float u = clamp(hit.u, 0.0f, 1.0f);
-    return surfacePoint(shapePoint(t, ray, shapeHit()), {u, clamp(hit.v, 0.0f, 1.0f - u)});
+    return surfacePoint(shapePoint(t, ray, shapeHit()), triangleUv(shapeHit()));
   }
 
   SurfacePoint<float> operator()(const TriangleMesh& mesh) const {

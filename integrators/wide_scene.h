@@ -12,7 +12,7 @@
 namespace steradian {
 
 /// Answers are those of Scene, lane by lane and to the bit. The few primitives of small scenes are met with all lanes
-/// at once; larger scenes are asked ray by ray, and without a hierarchy find the points hit with all lanes.
+/// at once; larger scenes are asked ray by ray, and all but the largest find the points hit with all lanes.
 class WideScene {
  public:
   /// The scene must outlive this.
@@ -20,6 +20,7 @@ class WideScene {
       : scene_(&scene),
         flat_(scene.geometry().flat()),
         materials_(scene.materials()),
+        usesFlat_(flat_ != nullptr && (flat_->knowsUv() || !materials_.readsUv())),
         hasSky_(scene.lights().hasSky()) {
     for (const ShapeDescription& shape : scene.description().shapes)
       emits_.push_back(shape.emission != kNone ? 1u : 0u);
@@ -47,6 +48,7 @@ class WideScene {
   const Scene* scene_;
   const FlatPrimitives* flat_;
   MaterialTable materials_;
+  bool usesFlat_;                     ///< for points
   std::vector<std::uint32_t> emits_;  ///< per shape
   bool hasSky_;
 };
@@ -75,34 +77,44 @@ class SingleRays {
 template <class F>
 SurfacePoint<F> WideScene::intersect(const Ray<F>& ray, MaskOf<F> active) const {
   const Geometry& geometry = scene_->geometry();
-  // Some textures need parameters of the surface, which flat primitives leave out.
-  const bool flat = flat_ != nullptr && !materials_.readsUv();
-  if (flat && flat_->few()) return flat_->surfacePoint(ray, flat_->nearest(ray, active & isUsable(ray)));
-  const detail::SingleRays<F> rays(ray);
-  SurfacePoint<F> points;
-  FlatPrimitives::LaneHit<F> hits;
-  for (std::uint32_t left = laneBits(active); left != 0; left &= left - 1) {
-    const int i = std::countr_zero(left);
-    const Hit<float> hit = geometry.intersect(rays[i]);
-    if (!flat) {
-      setLane(points, i, geometry.surfacePoint(rays[i], hit));
-    } else if (hit.valid) {
-      setLane(hits.valid, i, true);
-      setLane(hits.t, i, hit.t);
-      setLane(hits.entry, i, flat_->entryOf(hit.shape, hit.primitive));
-    }
+  const bool withUv = materials_.readsUv();
+  const MaskOf<F> usable = active & isUsable(ray);
+  if (usesFlat_ && flat_->few()) {
+    return flat_->surfacePoint(ray, withUv ? flat_->nearest<F, true>(ray, usable) : flat_->nearest(ray, usable),
+                               withUv);
   }
-  return flat ? flat_->surfacePoint(ray, hits) : points;
+  const detail::SingleRays<F> rays(ray);
+  if (!usesFlat_) {
+    SurfacePoint<F> points;
+    for (std::uint32_t left = laneBits(usable); left != 0; left &= left - 1) {
+      const int i = std::countr_zero(left);
+      setLane(points, i, geometry.surfacePoint(rays[i], geometry.intersectUsable(rays[i])));
+    }
+    return points;
+  }
+  FlatPrimitives::LaneHit<F> hits;
+  for (std::uint32_t left = laneBits(usable); left != 0; left &= left - 1) {
+    const int i = std::countr_zero(left);
+    const Hit<float> hit = geometry.intersectUsable(rays[i]);
+    if (!hit.valid) continue;
+    setLane(hits.valid, i, true);
+    setLane(hits.t, i, hit.t);
+    setLane(hits.u, i, hit.u);
+    setLane(hits.v, i, hit.v);
+    setLane(hits.entry, i, flat_->entryOf(hit.shape, hit.primitive));
+  }
+  return flat_->surfacePoint(ray, hits, withUv);
 }
 
 template <class F>
 MaskOf<F> WideScene::occluded(const Ray<F>& ray, MaskOf<F> active) const {
-  if (flat_ != nullptr && flat_->few()) return flat_->any(ray, active & isUsable(ray));
+  const MaskOf<F> usable = active & isUsable(ray);
+  if (flat_ != nullptr && flat_->few()) return flat_->any(ray, usable);
   const detail::SingleRays<F> rays(ray);
   MaskOf<F> hit(false);
-  for (std::uint32_t left = laneBits(active); left != 0; left &= left - 1) {
+  for (std::uint32_t left = laneBits(usable); left != 0; left &= left - 1) {
     const int i = std::countr_zero(left);
-    if (scene_->geometry().occluded(rays[i])) setLane(hit, i, true);
+    if (scene_->geometry().occludedUsable(rays[i])) setLane(hit, i, true);
   }
   return hit;
 }

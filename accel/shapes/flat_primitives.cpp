@@ -19,10 +19,15 @@ bool FlatPrimitives::holds(const SceneDescription& scene, std::span<const Id> sh
   return known && count > 0;
 }
 
-FlatPrimitives::FlatPrimitives(const SceneDescription& scene, std::span<const Id> shapes) {
+FlatPrimitives::FlatPrimitives(const SceneDescription& scene, std::span<const Id> shapes, bool toMeet) {
   std::vector<Id> sorted(shapes.begin(), shapes.end());
   std::sort(sorted.begin(), sorted.end());
   firstOf_.resize(scene.shapes.size());
+  std::size_t count = 0;
+  for (const Id id : sorted) count += primitiveCount(scene.shapes[id].geometry);
+  few_ = toMeet && count <= kMost;
+  ids_.reserve(count);
+  numbers_.reserve(kNumbers * count);
   for (const Id id : sorted) {
     const ShapeDescription& shape = scene.shapes[id];
     firstOf_[id] = static_cast<std::uint32_t>(ids_.size());
@@ -31,6 +36,8 @@ FlatPrimitives::FlatPrimitives(const SceneDescription& scene, std::span<const Id
     const auto* boxes = std::get_if<BoxSet>(&shape.geometry);
     const auto* balls = std::get_if<SphereSet>(&shape.geometry);
     const bool special = (quads && areAligned(*quads)) || (boxes && areUpright(*boxes)) || (balls && areMoving(*balls));
+    const auto* mesh = std::get_if<TriangleMesh>(&shape.geometry);
+    knowsUv_ = knowsUv_ && (mesh == nullptr || mesh->uvs.empty());
     for (std::size_t i = 0; i < primitiveCount(shape.geometry); ++i) {
       add(shape.geometry, i, special);
       ids_.back().shape = id;
@@ -42,6 +49,7 @@ FlatPrimitives::FlatPrimitives(const SceneDescription& scene, std::span<const Id
 
 template <class Shape>
 void FlatPrimitives::add(Kind kind, std::vector<Shape>& shapes, const Shape& shape) {
+  if (!few_) return;
   const auto entry = static_cast<std::uint32_t>(ids_.size());
   if (runs_.empty() || runs_.back().kind != kind)
     runs_.push_back({kind, entry, entry, static_cast<std::uint32_t>(shapes.size())});

@@ -1,9 +1,9 @@
 #pragma once
-/// All primitives of a scene without a hierarchy in a row: several rays at once against each of them in turn, and the
-/// points that they hit.
+/// All primitives of a scene in a row: several rays at once against each of them in turn, and the points that they hit.
 ///
 /// A ray per lane and one primitive in all of them wastes no lane, however the rays scatter: up to kMost primitives
-/// nothing else is as fast. Kernels and surface points are those of single rays, so hits are the same to the bit.
+/// nothing else is as fast. Of more primitives this class knows the points only. Kernels and surface points are those
+/// of single rays, so hits are the same to the bit.
 #include <cstdint>
 #include <initializer_list>
 #include <span>
@@ -23,12 +23,15 @@ class FlatPrimitives {
   /// meshes with normals of their own.
   static bool holds(const SceneDescription& scene, std::span<const Id> shapes);
 
-  /// The description must be valid and `holds` true.
-  FlatPrimitives(const SceneDescription& scene, std::span<const Id> shapes);
+  /// The description must be valid and `holds` true. `toMeet`: few primitives shall be met, not only have points.
+  FlatPrimitives(const SceneDescription& scene, std::span<const Id> shapes, bool toMeet = true);
 
   /// So many primitives are met one after the other faster than by way of the bounds of their clusters.
   static constexpr std::size_t kMost = 64;
-  bool few() const { return ids_.size() <= kMost; }
+  /// Whether `nearest` and `any` may be called.
+  bool few() const { return few_; }
+  /// Whether points can have uv: no mesh has uv of its own.
+  bool knowsUv() const { return knowsUv_; }
 
   /// Nearest hits; lanes of rays that are not active, or hit nothing, are not valid.
   template <class F>
@@ -36,8 +39,10 @@ class FlatPrimitives {
     MaskOf<F> valid{false};
     F t{kInfinity};
     UintOf<F> entry{0u};  ///< which primitive
+    F u{0.0f}, v{0.0f};   ///< as in Hit; for points with uv
   };
-  template <class F>
+  /// `withUv`: with u and v.
+  template <class F, bool withUv = false>
   LaneHit<F> nearest(const Ray<F>& ray, MaskOf<F> active) const;
   /// LaneHit::entry of a primitive.
   std::uint32_t entryOf(Id shape, std::uint32_t primitive) const { return firstOf_[shape] + primitive; }
@@ -46,9 +51,9 @@ class FlatPrimitives {
   template <class F>
   MaskOf<F> any(const Ray<F>& ray, MaskOf<F> active) const;
 
-  /// The points that these rays hit, without uv and instance; lanes without a hit are not valid.
+  /// The points that these rays hit, without instance; lanes without a hit are not valid. `withUv`: they have uv.
   template <class F>
-  SurfacePoint<F> surfacePoint(const Ray<F>& ray, const LaneHit<F>& hit) const;
+  SurfacePoint<F> surfacePoint(const Ray<F>& ray, const LaneHit<F>& hit, bool withUv = false) const;
 
  private:
   enum class Kind : std::uint32_t { Quad, AlignedQuad, Sphere, MovingSphere, UprightBox, TurnedBox, Disk, Triangle };
@@ -69,6 +74,7 @@ class FlatPrimitives {
 
   /// `special`: through the kernel of aligned quads, upright boxes, moving spheres.
   void add(const ShapeGeometry& geometry, std::size_t primitive, bool special);
+  /// For the kernels, if there are few.
   template <class Shape>
   void add(Kind kind, std::vector<Shape>& shapes, const Shape& shape);
   void describe(Kind pointKind, std::initializer_list<Vec3f> numbers);
@@ -77,8 +83,9 @@ class FlatPrimitives {
   template <class F, class Visit>
   void meetRun(const Run& run, const Ray<F>& ray, const RayByAxis<F>& byAxis, const Visit& visit) const;
 
+  /// `uv`: where to put it, or null.
   template <class F>
-  ShapePoint<F> pointOf(Kind kind, const Ray<F>& ray, const LaneHit<F>& hit) const;
+  ShapePoint<F> pointOf(Kind kind, const Ray<F>& ray, const LaneHit<F>& hit, Vec2<F>* uv) const;
 
   std::vector<Run> runs_;  ///< in order of (shape, primitive): of equally near hits the first one wins
   std::vector<Quad<float>> quads_;
@@ -93,6 +100,7 @@ class FlatPrimitives {
   std::vector<float> numbers_;          ///< kNumbers per entry
   std::vector<Ids> ids_;                ///< per entry
   std::vector<std::uint32_t> firstOf_;  ///< per shape
+  bool few_ = false, knowsUv_ = true;
 };
 
 template <class F, class Visit>
@@ -125,18 +133,24 @@ void FlatPrimitives::meetRun(const Run& run, const Ray<F>& ray, const RayByAxis<
   }
 }
 
-template <class F>
+template <class F, bool withUv>
 FlatPrimitives::LaneHit<F> FlatPrimitives::nearest(const Ray<F>& ray, MaskOf<F> active) const {
   const RayByAxis<F> byAxis(ray);
   Ray<F> shortened = ray;  // to the nearest hit so far
-  UintOf<F> nearest(0u);
+  LaneHit<F> best;
   for (const Run& run : runs_) {
     meetRun(run, shortened, byAxis, [&](std::uint32_t entry, const ShapeHit<F>& hit) {
       shortened.tMax = select(hit.valid, hit.t, shortened.tMax);
-      nearest = select(hit.valid, UintOf<F>(entry), nearest);
+      best.entry = select(hit.valid, UintOf<F>(entry), best.entry);
+      if constexpr (withUv) {
+        best.u = select(hit.valid, hit.u, best.u);
+        best.v = select(hit.valid, hit.v, best.v);
+      }
     });
   }
-  return {active & (shortened.tMax < ray.tMax), shortened.tMax, nearest};
+  best.valid = active & (shortened.tMax < ray.tMax);
+  best.t = shortened.tMax;
+  return best;
 }
 
 template <class F>
@@ -151,35 +165,57 @@ MaskOf<F> FlatPrimitives::any(const Ray<F>& ray, MaskOf<F> active) const {
 }
 
 template <class F>
-ShapePoint<F> FlatPrimitives::pointOf(Kind kind, const Ray<F>& ray, const LaneHit<F>& hit) const {
+ShapePoint<F> FlatPrimitives::pointOf(Kind kind, const Ray<F>& ray, const LaneHit<F>& hit, Vec2<F>* uv) const {
   const UintOf<F> record = hit.entry * UintOf<F>(static_cast<std::uint32_t>(kNumbers));
   const auto numbers = [&](int i) { return gather4(numbers_.data() + i, record); };
-  const ShapeHit<F> found{hit.valid, hit.t, F(0.0f), F(0.0f)};
+  const ShapeHit<F> found{hit.valid, hit.t, hit.u, hit.v};
+  const auto ball = [&](const Sphere<F>& sphere) {
+    const ShapePoint<F> on = shapePoint(sphere, ray, found);
+    if (uv) *uv = sphereUv(on.normal);
+    return on;
+  };
+  const auto box = [&](const auto& turned) {
+    const BoxPlace<F> place = boxPlace(turned, ray, hit.t);
+    if (uv) *uv = uvOf(turned, place);
+    return shapePoint(turned, place);
+  };
   const auto a = numbers(0);
   const Vec3<F> first{a[0], a[1], a[2]};
-  if (kind == Kind::Sphere) return shapePoint(Sphere<F>{first, a[3]}, ray, found);
+  if (kind == Kind::Sphere) return ball({first, a[3]});
   const auto b = numbers(4);
   const Vec3<F> second{a[3], b[0], b[1]};
-  if (kind == Kind::UprightBox) return shapePoint(UprightBox<F>{first, second, {b[2], b[3]}}, ray, found);
-  if (kind == Kind::MovingSphere) return shapePoint(MovingSphere<F>{first, second, b[2]}, ray, found);
-  if (kind == Kind::Disk) return shapePoint(Disk<F>{first, second, b[2]}, ray, found);
+  if (kind == Kind::UprightBox) return box(UprightBox<F>{first, second, {b[2], b[3]}});
+  if (kind == Kind::MovingSphere) return ball(MovingSphere<F>{first, second, b[2]}.at(ray.time));
+  if (kind == Kind::Disk) {
+    const Disk<F> disk{first, second, b[2]};
+    const ShapePoint<F> on = shapePoint(disk, ray, found);
+    if (uv) *uv = uvOf(disk, on.position);
+    return on;
+  }
   const auto c = numbers(8);
   const Vec3<F> third{b[2], b[3], c[0]}, fourth{c[1], c[2], c[3]};
-  if (kind == Kind::AlignedQuad) return {positionBetween(first, second, ray, hit.t), third, fourth};
+  if (kind == Kind::AlignedQuad) {
+    if (uv) *uv = quadUv(found);
+    return {positionBetween(first, second, ray, hit.t), third, fourth};
+  }
   const auto d = numbers(12);
   const Vec3<F> fifth{d[0], d[1], d[2]};
-  if (kind == Kind::TurnedBox) return shapePoint(Box<F>{first, second, {third, fourth, fifth}}, ray, found);
+  if (kind == Kind::TurnedBox) return box(Box<F>{first, second, {third, fourth, fifth}});
   // The kernel once more, for the parameters.
   if (kind == Kind::Triangle) {
     const Triangle<F> triangle{first, second, third};
-    return {positionOf(triangle, intersect(triangle, ray)), fourth, fifth};
+    const ShapeHit<F> again = intersect(triangle, ray);
+    if (uv) *uv = triangleUv(again);
+    return {positionOf(triangle, again), fourth, fifth};
   }
   const Quad<F> quad{first, second, third};
-  return {positionOf(quad, intersect(quad, ray)), fourth, fifth};
+  const ShapeHit<F> again = intersect(quad, ray);
+  if (uv) *uv = quadUv(again);
+  return {positionOf(quad, again), fourth, fifth};
 }
 
 template <class F>
-SurfacePoint<F> FlatPrimitives::surfacePoint(const Ray<F>& ray, const LaneHit<F>& hit) const {
+SurfacePoint<F> FlatPrimitives::surfacePoint(const Ray<F>& ray, const LaneHit<F>& hit, bool withUv) const {
   const auto ids = gather4(&ids_.data()->pointKind, hit.entry * UintOf<F>(4u));
   SurfacePoint<F> point;
   point.valid = hit.valid;
@@ -187,10 +223,12 @@ SurfacePoint<F> FlatPrimitives::surfacePoint(const Ray<F>& ray, const LaneHit<F>
   for (const Kind present : present_) {
     const MaskOf<F> mine = hit.valid & (ids[0] == UintOf<F>(static_cast<std::uint32_t>(present)));
     if (!steradian::any(mine)) continue;
-    const ShapePoint<F> on = pointOf(present, ray, hit);
+    Vec2<F> uv;
+    const ShapePoint<F> on = pointOf(present, ray, hit, withUv ? &uv : nullptr);
     point.position = select(mine, on.position, point.position);
     point.positionError = select(mine, on.error, point.positionError);
     point.geometricNormal = select(mine, on.normal, point.geometricNormal);
+    if (withUv) point.uv = select(mine, uv, point.uv);
   }
   point.shadingNormal = point.geometricNormal;
   point.shape = ids[1];

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <span>
 
 namespace steradian {
 namespace {
@@ -43,77 +44,127 @@ bool anyInOne(const Clusters& clusters, std::uint32_t cluster, const Ray<float>&
   return anyInOne(clusters, cluster, ray, broadcastRay<F>(ray));
 }
 
-/// Calls visit(first, met, distance) for the clusters first, first + 1, ... in lanes of which the ray may meet some:
-/// those in the mask, no nearer than `distance` (Kay & Kajiya 1986). The bounds are wide enough for rounding.
-template <class Visit>
-void forEachMet(const Clusters& clusters, const Ray<F>& ray, const Visit& visit) {
-  const F rx = reciprocalOfComponent(ray.direction.x), ry = reciprocalOfComponent(ray.direction.y),
-          rz = reciprocalOfComponent(ray.direction.z);
-  std::uint32_t first = 0;
-  for (const Clusters::BoundsBlock& block : clusters.bounds) {
-    for (int i = 0; i < kClusterSize; i += kNativeWidth, first += kNativeWidth) {
-      const F lowX = (load<F>(block.lowX + i) - ray.origin.x) * rx,
-              highX = (load<F>(block.highX + i) - ray.origin.x) * rx;
-      const F lowY = (load<F>(block.lowY + i) - ray.origin.y) * ry,
-              highY = (load<F>(block.highY + i) - ray.origin.y) * ry;
-      const F lowZ = (load<F>(block.lowZ + i) - ray.origin.z) * rz,
-              highZ = (load<F>(block.highZ + i) - ray.origin.z) * rz;
-      const F near =
-          maximum(maximum(minimum(lowX, highX), minimum(lowY, highY)), maximum(minimum(lowZ, highZ), ray.tMin));
-      const F far =
-          minimum(minimum(maximum(lowX, highX), maximum(lowY, highY)), minimum(maximum(lowZ, highZ), ray.tMax));
-      std::uint32_t met = laneBits(near <= far);
-      const std::uint32_t left = clusters.end.back() - first;
-      if (left < kNativeWidth) met &= (1u << left) - 1u;
-      if (met != 0 && !visit(first, met, near)) return;
-      if (left <= kNativeWidth) return;
+/// A ray against bounds (Kay & Kajiya 1986), which are wide enough for rounding. The ray is the same in all lanes:
+/// along each axis it enters all boxes on the same side.
+class RayToBounds {
+ public:
+  using Block = Clusters::BoundsBlock;
+
+  explicit RayToBounds(const Ray<float>& ray) : tMin_(ray.tMin), tMax_(ray.tMax) {
+    const float origin[3] = {ray.origin.x, ray.origin.y, ray.origin.z};
+    const float direction[3] = {ray.direction.x, ray.direction.y, ray.direction.z};
+    for (int axis = 0; axis < 3; ++axis) {
+      const float reciprocal = reciprocalOfComponent(direction[axis]);
+      origin_[axis] = F(origin[axis]);
+      reciprocal_[axis] = F(reciprocal);
+      const std::size_t low = static_cast<std::size_t>(axis) * kClusterSize, high = low + 3 * kClusterSize;
+      entry_[axis] = reciprocal < 0.0f ? high : low;
+      exit_[axis] = reciprocal < 0.0f ? low : high;
     }
   }
-}
 
-/// Of the clusters that the ray may meet, the nearest ones first, until one has a hit before all others.
-void nearestInMet(const Clusters& clusters, const Ray<float>& ray, std::uint32_t instance, LeafHit& best) {
-  const Ray<F> lanes = broadcastRay<F>(ray);
-  struct Candidate {
-    float distance;
-    std::uint32_t cluster;
-  };
-  constexpr std::size_t most = 64;
-  std::array<Candidate, most> candidates;  // by distance
-  std::size_t count = 0;
-  const auto meet = [&] {
-    for (std::size_t i = 0; i < count && candidates[i].distance <= best.t; ++i) {
-      nearestInOne(clusters, candidates[i].cluster, ray, lanes, instance, best);
-    }
-    count = 0;
-  };
-  forEachMet(clusters, lanes, [&](std::uint32_t first, std::uint32_t met, F near) {
-    float distance[kNativeWidth];
-    store(distance, near);
-    for (; met != 0; met &= met - 1) {
-      const int i = std::countr_zero(met);
-      if (distance[i] > best.t) continue;
-      if (count == most) meet();
-      std::size_t place = count++;
-      for (; place > 0 && candidates[place - 1].distance > distance[i]; --place)
-        candidates[place] = candidates[place - 1];
-      candidates[place] = {distance[i], first + static_cast<std::uint32_t>(i)};
+  /// Calls visit(i, distance) for the boxes i of these blocks that the ray may meet, no nearer than `distance`; until
+  /// it returns false, and then returns false.
+  template <class Visit>
+  bool forEachMet(std::span<const Block> blocks, const Visit& visit) const {
+    std::uint32_t first = 0;
+    for (const Block& block : blocks) {
+      float distance[kClusterSize];
+      std::uint32_t met = 0;
+      for (int i = 0; i < kClusterSize; i += kNativeWidth) {
+        const float* in = &block.side[0][0][i];
+        const F near =
+            maximum(maximum(reach(in, 0, entry_[0]), reach(in, 1, entry_[1])), maximum(reach(in, 2, entry_[2]), tMin_));
+        const F far =
+            minimum(minimum(reach(in, 0, exit_[0]), reach(in, 1, exit_[1])), minimum(reach(in, 2, exit_[2]), tMax_));
+        met |= laneBits(near <= far) << i;
+        store(distance + i, near);
+      }
+      for (; met != 0; met &= met - 1) {
+        const auto i = static_cast<std::uint32_t>(std::countr_zero(met));
+        if (!visit(first + i, distance[i])) return false;
+      }
+      first += kClusterSize;
     }
     return true;
+  }
+
+ private:
+  F reach(const float* in, int axis, std::size_t plane) const {
+    return (load<F>(in + plane) - origin_[axis]) * reciprocal_[axis];
+  }
+
+  F origin_[3], reciprocal_[3], tMin_, tMax_;
+  std::size_t entry_[3], exit_[3];  ///< where in a block the planes are that the ray enters and leaves boxes by
+};
+
+/// Boxes that a ray may meet, the nearest first.
+class ByDistance {
+ public:
+  bool full() const { return count_ == kMost; }
+  void add(std::uint32_t box, float distance) {
+    std::size_t place = count_++;
+    for (; place > 0 && boxes_[place - 1].distance > distance; --place) boxes_[place] = boxes_[place - 1];
+    boxes_[place] = {distance, box};
+  }
+  /// Calls visit(box) for those no further than best.t, which may shrink on the way, and forgets all.
+  template <class Visit>
+  void visit(const LeafHit& best, const Visit& visit) {
+    for (std::size_t i = 0; i < count_ && boxes_[i].distance <= best.t; ++i) visit(boxes_[i].box);
+    count_ = 0;
+  }
+
+ private:
+  struct Box {
+    float distance;
+    std::uint32_t box;
+  };
+  static constexpr std::size_t kMost = 64;
+  std::array<Box, kMost> boxes_;
+  std::size_t count_ = 0;
+};
+
+/// Of the boxes in blocks, the nearest ones first, until there is a hit before all others.
+template <class Visit>
+void forEachByDistance(const RayToBounds& ray, std::span<const Clusters::BoundsBlock> blocks, const LeafHit& best,
+                       const Visit& visit) {
+  ByDistance met;
+  ray.forEachMet(blocks, [&](std::uint32_t box, float distance) {
+    if (distance > best.t) return true;
+    if (met.full()) met.visit(best, visit);
+    met.add(box, distance);
+    return true;
   });
-  meet();
+  met.visit(best, visit);
+}
+
+std::span<const Clusters::BoundsBlock> boundsIn(const Clusters& clusters, std::uint32_t block) {
+  return {&clusters.bounds[block], 1};
+}
+
+void nearestInMet(const Clusters& clusters, const Ray<float>& ray, std::uint32_t instance, LeafHit& best) {
+  const Ray<F> lanes = broadcastRay<F>(ray);
+  const RayToBounds toBounds(ray);
+  const auto meet = [&](std::uint32_t first, std::span<const Clusters::BoundsBlock> bounds) {
+    forEachByDistance(toBounds, bounds, best,
+                      [&](std::uint32_t i) { nearestInOne(clusters, first + i, ray, lanes, instance, best); });
+  };
+  if (clusters.boundsOfBlocks.empty()) return meet(0, clusters.bounds);
+  forEachByDistance(toBounds, clusters.boundsOfBlocks, best,
+                    [&](std::uint32_t block) { meet(block * kClusterSize, boundsIn(clusters, block)); });
 }
 
 bool anyInMet(const Clusters& clusters, const Ray<float>& ray) {
   const Ray<F> lanes = broadcastRay<F>(ray);
-  bool hit = false;
-  forEachMet(clusters, lanes, [&](std::uint32_t first, std::uint32_t met, F) {
-    for (; met != 0 && !hit; met &= met - 1) {
-      hit = anyInOne(clusters, first + static_cast<std::uint32_t>(std::countr_zero(met)), ray, lanes);
-    }
-    return !hit;
+  const RayToBounds toBounds(ray);
+  const auto misses = [&](std::uint32_t first, std::span<const Clusters::BoundsBlock> bounds) {
+    return toBounds.forEachMet(bounds,
+                               [&](std::uint32_t i, float) { return !anyInOne(clusters, first + i, ray, lanes); });
+  };
+  if (clusters.boundsOfBlocks.empty()) return !misses(0, clusters.bounds);
+  return !toBounds.forEachMet(clusters.boundsOfBlocks, [&](std::uint32_t block, float) {
+    return misses(block * kClusterSize, boundsIn(clusters, block));
   });
-  return hit;
 }
 
 void nearestInAll(const Clusters& clusters, const Ray<float>& ray, std::uint32_t instance, LeafHit& best) {

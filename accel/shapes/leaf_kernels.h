@@ -26,12 +26,14 @@ struct Clusters {
   std::vector<Custom> custom;
   std::array<std::uint32_t, 9> end{};  ///< one past the last cluster of each kind, in order; custom shapes last
 
-  /// Bounds of 16 clusters side by side.
+  /// Bounds of 16 clusters side by side; where there is none, what no ray meets.
   struct alignas(64) BoundsBlock {
-    float lowX[kClusterSize], lowY[kClusterSize], lowZ[kClusterSize];
-    float highX[kClusterSize], highY[kClusterSize], highZ[kClusterSize];
+    float side[2][3][kClusterSize];  ///< low and high, by axis
   };
   std::vector<BoundsBlock> bounds;  ///< of all clusters, for queries of all that leave out what a ray misses; or none
+  /// Of all that is in each block of `bounds`, if there are more than a few: clusters near one another in number are
+  /// so in space.
+  std::vector<BoundsBlock> boundsOfBlocks;
 
   /// Calls visit(cluster) for the cluster of this number; false if it is a custom shape.
   template <class Visit>

@@ -2,8 +2,9 @@
 /// The point of a shape that a ray met, re-projected onto the surface, with bounds of its rounding errors.
 ///
 /// `shapePoint(shape, ray, hit)` is a free function per shape, generic over lanes; `hit` is what its kernel returned
-/// for this ray. The error covers the position's rounding and that of the next query from there, so that rays spawned
-/// by core/ray_offset.h do not meet the primitive they leave.
+/// for this ray. `uvOf` says where on the shape that is, in [0, 1]^2 (see SurfacePoint::uv). The error covers the
+/// position's rounding and that of the next query from there, so that rays spawned by core/ray_offset.h do not meet the
+/// primitive they leave.
 #include "steradian/accel/shapes/aligned_quad.h"
 #include "steradian/accel/shapes/box.h"
 #include "steradian/accel/shapes/disk.h"
@@ -39,10 +40,21 @@ ShapePoint<F> shapePoint(const MovingSphere<F>& sphere, const Ray<F>& ray, const
   return shapePoint(sphere.at(ray.time), ray, hit);
 }
 
+/// `normal`: that of the point. The angle about y, from -x to +z, and that from the pole below ("The Next Week" 4.4).
+template <class F>
+Vec2<F> sphereUv(Vec3<F> normal) {
+  const F phi = arcTan2(-normal.z, normal.x) + F(kPi);
+  return {clamp(phi * F(kInvTwoPi), F(0.0f), F(1.0f)), arcCos(-normal.y) * F(kInvPi)};
+}
+
+template <class F>
+Vec2<F> quadUv(const ShapeHit<F>& hit) {
+  return {clamp(hit.u, F(0.0f), F(1.0f)), clamp(hit.v, F(0.0f), F(1.0f))};
+}
 template <class F>
 Vec3<F> positionOf(const Quad<F>& quad, const ShapeHit<F>& hit) {
-  const F s = clamp(hit.u, F(0.0f), F(1.0f)), t = clamp(hit.v, F(0.0f), F(1.0f));
-  return quad.corner + quad.u * s + quad.v * t;
+  const Vec2<F> uv = quadUv(hit);
+  return quad.corner + quad.u * uv.x + quad.v * uv.y;
 }
 template <class F>
 ShapePoint<F> shapePoint(const Quad<F>& quad, const Ray<F>&, const ShapeHit<F>& hit) {
@@ -66,11 +78,25 @@ ShapePoint<F> shapePoint(const Disk<F>& disk, const Ray<F>& ray, const ShapeHit<
   return {disk.center + offset, absolute(disk.center) * F(kPlaceError) + Vec3<F>{reach, reach, reach}, disk.normal};
 }
 
+/// Angle about the normal, and distance from the centre over the radius.
+template <class F>
+Vec2<F> uvOf(const Disk<F>& disk, Vec3<F> position) {
+  const Vec3<F> local = Frame<F>::fromZ(disk.normal).toLocal(position - disk.center);
+  const F angle = arcTan2(local.y, local.x) * F(kInvTwoPi);
+  const F reach = squareRoot(local.x * local.x + local.y * local.y);
+  return {select(angle < F(0.0f), angle + F(1.0f), angle), minimum(reach / disk.radius, F(1.0f))};
+}
+
 /// u and v of the hit are barycentric.
 template <class F>
+Vec2<F> triangleUv(const ShapeHit<F>& hit) {
+  const F u = clamp(hit.u, F(0.0f), F(1.0f));
+  return {u, clamp(hit.v, F(0.0f), F(1.0f) - u)};
+}
+template <class F>
 Vec3<F> positionOf(const Triangle<F>& t, const ShapeHit<F>& hit) {
-  const F u = clamp(hit.u, F(0.0f), F(1.0f)), v = clamp(hit.v, F(0.0f), F(1.0f) - u), w = F(1.0f) - u - v;
-  return t.a * w + t.b * u + t.c * v;
+  const Vec2<F> uv = triangleUv(hit);
+  return t.a * (F(1.0f) - uv.x - uv.y) + t.b * uv.x + t.c * uv.y;
 }
 /// The normal is that of the plane.
 template <class F>
@@ -119,6 +145,17 @@ ShapePoint<F> shapePoint(const OrientedBox<F, Axes>& box, const BoxPlace<F>& pla
 template <class F, class Axes>
 ShapePoint<F> shapePoint(const OrientedBox<F, Axes>& box, const Ray<F>& ray, const ShapeHit<F>& hit) {
   return shapePoint(box, boxPlace(box, ray, hit.t));
+}
+
+/// Along the edges of the face.
+template <class F, class Axes>
+Vec2<F> uvOf(const OrientedBox<F, Axes>& box, const BoxPlace<F>& place) {
+  const auto along = [](F at, F half) { return (at + half) / (F(2.0f) * half); };
+  const F x = along(place.local.x, box.half.x), y = along(place.local.y, box.half.y),
+          z = along(place.local.z, box.half.z);
+  const MaskOf<F> positive = boxSide(place.face) > F(0.0f), isX = place.face < F(2.0f), isZ = place.face >= F(4.0f);
+  const F turnedZ = select(positive, F(1.0f) - z, z);
+  return {select(isX, turnedZ, select(isZ, select(positive, x, F(1.0f) - x), x)), select(isX | isZ, y, turnedZ)};
 }
 
 }  // namespace steradian

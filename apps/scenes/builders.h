@@ -27,7 +27,7 @@ SceneDescription perlinSpheres();
 SceneDescription quads();
 SceneDescription simpleLight();
 
-// next_week_final.cpp: the cube of spheres as an instance, or sphere by sphere
+// next_week_final.cpp: the cube of spheres as an instance, or sphere by sphere, which is faster (one hierarchy for all)
 SceneDescription nextWeekFinal(bool instanced);
 
 // cornell.cpp: the Cornell boxes of "The Next Week" and "The Rest of Your Life"

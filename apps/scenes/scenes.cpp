@@ -45,7 +45,7 @@ constexpr std::array kEntries{
         {"cornell-original", "book 2: the Cornell box with its two-sided light"}, scenes::cornellOriginal, nullptr, 0},
     Entry{{"cornell-smoke", "book 2: the Cornell box with boxes of smoke and fog"}, scenes::cornellSmoke, nullptr, 0},
     Entry{{"next-week-final", "book 2: everything at once; motion, mist, a map, marble, glass"},
-          [] { return scenes::nextWeekFinal(true); },
+          [] { return scenes::nextWeekFinal(false); },
           nullptr,
           0},
     Entry{{"cornell-box", "book 3: the Cornell box, light facing down"}, scenes::cornellBox, nullptr, 0},

@@ -9,10 +9,12 @@
 #include <cmath>
 #include <thread>
 
+#include "steradian/accel/shapes/flat_primitives.h"
 #include "steradian/accel/surface_point_of.h"
 #include "steradian/core/diagnostics.h"
 #include "steradian/tests/accel/random_scene.h"
 #include "steradian/tests/accel/same_hits.h"
+#include "steradian/tests/shapes/mixed_scene.h"
 
 namespace steradian::test {
 namespace {
@@ -31,6 +33,55 @@ TEST(Geometry, HierarchyGivesTheHitsOfALoopOverAllKinds) {
     hits += hit.valid;
   }
   EXPECT_GT(hits, 4000);
+}
+
+// Points of several rays at once are those of single rays, uv included, with and without a hierarchy.
+TEST(Geometry, FlatPointsAreThoseOfSingleRays) {
+  using F = Lanes<8>;
+  const auto scene = std::make_shared<SceneDescription>(mixedScene());
+  Numbers number;
+  for (const GeometrySettings& settings : {direct(), hierarchy()}) {
+    const Geometry geometry(scene, settings);
+    const FlatPrimitives* flat = geometry.flat();
+    ASSERT_NE(flat, nullptr);
+    EXPECT_EQ(flat->few(), settings.directClusters != 0);
+    EXPECT_TRUE(flat->knowsUv());
+    int points = 0;
+    for (int i = 0; i < 8000; ++i) {
+      const Vec3f from = number.point(4.0f);
+      const Ray<float> ray{from, normalize(number.point(2.0f) - from), kInfinity, number(0.0f, 0.99f)};
+      const Hit<float> hit = geometry.intersect(ray);
+      if (!hit.valid) continue;
+      const SurfacePoint<float> expected = geometry.surfacePoint(ray, hit);
+      Ray<F> rays;
+      FlatPrimitives::LaneHit<F> hits;
+      setLane(rays, i % 8, ray);
+      if (flat->few() && i % 2 == 0) {
+        Mask<8> active(false);
+        active.set(i % 8, true);
+        hits = flat->nearest<F, true>(rays, active);
+      } else {
+        setLane(hits.valid, i % 8, true);
+        setLane(hits.t, i % 8, hit.t);
+        setLane(hits.u, i % 8, hit.u);
+        setLane(hits.v, i % 8, hit.v);
+        setLane(hits.entry, i % 8, flat->entryOf(hit.shape, hit.primitive));
+      }
+      const SurfacePoint<float> point = lane(flat->surfacePoint(rays, hits, true), i % 8);
+      ++points;
+      ASSERT_EQ(point.shape, expected.shape);
+      ASSERT_EQ(point.primitive, expected.primitive);
+      ASSERT_EQ(point.material, expected.material);
+      ASSERT_EQ(point.distance, expected.distance);
+      ASSERT_EQ(point.position.x, expected.position.x);
+      ASSERT_EQ(point.position.z, expected.position.z);
+      ASSERT_EQ(point.positionError.y, expected.positionError.y);
+      ASSERT_EQ(point.shadingNormal.y, expected.shadingNormal.y);
+      ASSERT_EQ(point.uv.x, expected.uv.x) << scene->shapes[point.shape].name;
+      ASSERT_EQ(point.uv.y, expected.uv.y) << scene->shapes[point.shape].name;
+    }
+    EXPECT_GT(points, 3000);
+  }
 }
 
 TEST(Geometry, EquallyNearHitsGoToTheSmallerIdInAnyLayout) {

@@ -2,76 +2,17 @@
 
 #include <gtest/gtest.h>
 
-#include <random>
-
 #include "steradian/accel/shapes/cluster_set.h"
+#include "steradian/tests/shapes/mixed_scene.h"
 
 namespace steradian {
 namespace {
 
 using F = Lanes<8>;
 
-class Numbers {
- public:
-  float operator()(float low, float high) { return std::uniform_real_distribution<float>(low, high)(engine_); }
-  Vec3f point(float reach) {
-    const float x = (*this)(-reach, reach), y = (*this)(-reach, reach);
-    return {x, y, (*this)(-reach, reach)};
-  }
-
- private:
-  std::mt19937 engine_{7};
-};
-
-/// Some of every kind, one behind the other and in two shapes each; the last quads are copies of the first.
-SceneDescription mixedScene() {
-  Numbers number;
-  SceneDescription scene;
-  for (int round = 0; round < 2; ++round) {
-    QuadSet quads, walls;
-    SphereSet spheres, rising;
-    BoxSet upright, turned;
-    DiskSet disks;
-    TriangleMesh mesh;
-    for (int i = 0; i < 3; ++i) {
-      quads.add(number.point(2.0f), number.point(1.0f), number.point(1.0f));
-      const Vec3f edges = number.point(2.0f);
-      walls.add(number.point(2.0f), {0.0f, edges.x, 0.0f}, {i == 0 ? edges.y : 0.0f, 0.0f, i == 0 ? 0.0f : edges.z});
-      spheres.add(number.point(2.0f), number(0.2f, 0.8f));
-      const Vec3f start = number.point(2.0f);
-      rising.addMoving(start, start + number.point(1.0f), 0.5f);
-      upright.addRotatedY(number.point(2.0f), {0.3f, 0.5f, 0.2f}, number(0.0f, 90.0f));
-      turned.addRotatedY(number.point(2.0f), {0.4f, 0.2f, 0.3f}, 30.0f);
-      turned.rotationX.back() = 0.3f;
-      disks.add(number.point(2.0f), normalize(number.point(1.0f)), 0.7f);
-      for (int k = 0; k < 3; ++k) {
-        mesh.indices.push_back(static_cast<std::uint32_t>(mesh.positions.size()));
-        mesh.positions.push_back(number.point(2.0f));
-      }
-    }
-    scene.addShape("quads", quads, static_cast<Id>(round));
-    scene.addShape("walls", walls, 6);
-    if (round == 1) {
-      // Not aligned as a whole, but one of them by itself.
-      quads.add({0.5f, 0.0f, -1.0f}, {0.0f, 0.0f, 2.0f}, {0.0f, 1.0f, 0.0f});
-      scene.addShape("one wall", quads, 7);
-    }
-    scene.addShape("spheres", spheres, 1);
-    scene.addShape("rising", rising, 8);
-    scene.addShape("upright", upright, 2);
-    scene.addShape("turned", turned, 3);
-    scene.addShape("disks", disks, 4);
-    scene.addShape("mesh", mesh, 5);
-    if (round == 1) scene.shapes.push_back(scene.shapes.front());
-  }
-  return scene;
-}
-
-std::vector<Id> allShapes(const SceneDescription& scene) {
-  std::vector<Id> ids;
-  for (Id i = 0; i < scene.shapes.size(); ++i) ids.push_back(i);
-  return ids;
-}
+using test::allShapes;
+using test::mixedScene;
+using test::Numbers;
 
 TEST(FlatPrimitives, FindTheHitsOfClusters) {
   const SceneDescription scene = mixedScene();
@@ -108,6 +49,21 @@ TEST(FlatPrimitives, FindTheHitsOfClusters) {
     }
   }
   EXPECT_GT(hits, 5000);
+}
+
+TEST(FlatPrimitives, WithoutKernelsThereAreStillPoints) {
+  const SceneDescription scene = mixedScene();
+  const std::vector<Id> shapes = allShapes(scene);
+  const FlatPrimitives flat(scene, shapes), pointsOnly(scene, shapes, false);
+  EXPECT_TRUE(flat.few());
+  EXPECT_FALSE(pointsOnly.few());
+  const Ray<F> rays{{F(0.1f), F(-0.2f), F(5.0f)}, normalize(Vec3<F>{F(0.05f), F(0.1f), F(-1.0f)})};
+  const auto found = flat.nearest<F, true>(rays, Mask<8>(true));
+  ASSERT_TRUE(all(found.valid));
+  const SurfacePoint<F> a = flat.surfacePoint(rays, found, true), b = pointsOnly.surfacePoint(rays, found, true);
+  EXPECT_EQ(a.position.x[3], b.position.x[3]);
+  EXPECT_EQ(a.uv.x[3], b.uv.x[3]);
+  EXPECT_EQ(a.primitive[3], b.primitive[3]);
 }
 
 TEST(FlatPrimitives, LeaveOutWhatTheyDoNotKnow) {
