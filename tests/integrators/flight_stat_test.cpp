@@ -56,6 +56,18 @@ TEST(Media, EmitWhatTheyDoNotAbsorb) {
   expectRadiance(scene, 2.0 * (1.0 - std::exp(-1.4)) / 0.7);
 }
 
+TEST(Media, EmissionIsWeakenedByMediaBefore) {
+  for (const MediumDescription& haze : {MediumDescription{.absorption = grey(0.4f)},
+                                        MediumDescription{.absorption = grey(0.1f), .scattering = grey(0.3f)}}) {
+    SceneDescription scene = slab({.absorption = grey(0.7f), .emission = grey(2.0f)});
+    scene.emissions[0].radiance = {};
+    const Id before = test::addBox(scene, {0, 0, -1}, {5, 5, 0.5f}, 0.0f, scene.shapes[0].material);
+    scene.shapes[before].interior = filled(scene, haze);
+    scene.defaults.maxDepth = 0;
+    expectRadiance(scene, std::exp(-0.4) * 2.0 * (1.0 - std::exp(-1.4)) / 0.7);
+  }
+}
+
 TEST(Media, WhatIsNotScatteredArrives) {
   SceneDescription scene = slab({.absorption = grey(0.1f), .scattering = grey(0.6f)});
   scene.defaults.maxDepth = 0;
