@@ -74,6 +74,15 @@ TEST(Media, WhatIsNotScatteredArrives) {
   expectRadiance(scene, std::exp(-1.4));
 }
 
+// One optical depth is drawn for all of the way.
+TEST(Media, ScatterOverSeveralSegments) {
+  SceneDescription scene = slab({.scattering = grey(0.6f)});
+  const Id before = test::addBox(scene, {0, 0, -1}, {5, 5, 0.5f}, 0.0f, scene.shapes[0].material);
+  scene.shapes[before].interior = filled(scene, {.scattering = grey(0.8f)});
+  scene.defaults.maxDepth = 0;
+  expectRadiance(scene, std::exp(-2.0));
+}
+
 // Channels of different density: the flight is drawn for one of them, all are weighed.
 TEST(Media, EveryChannelHasItsOwnLaw) {
   SceneDescription scene = slab({.absorption = {0.0f, 0.2f, 0.0f}, .scattering = {0.1f, 0.5f, 2.0f}});
@@ -139,16 +148,19 @@ TEST(Media, StrategiesAgreeThroughABoundaryThatIsATarget) {
 
 // Fog that lies on the floor: whichever of the two rounding puts first.
 TEST(Media, StandOnTheFloorWithoutALeak) {
-  const auto fogAt = [](float height) {
-    SceneDescription scene = test::room();
-    const Id box = test::addBox(scene, {0.0f, height - 0.4f, 0.1f}, {0.5f, 0.6f, 0.5f}, 20.0f,
-                                scene.addMaterial("air", InterfaceMaterial{}));
-    scene.shapes[box].interior = filled(scene, {.scattering = grey(2.5f)});
-    return scene;
-  };
-  const Scene above(fogAt(1e-3f)), standing(fogAt(0.0f));
-  const PathIntegrator path(with(Strategy::Mis));
-  EXPECT_TRUE(agree(meanOf(standing, path, 24, 512, 1), meanOf(above, path, 24, 512, 2)));
+  for (const MediumDescription& fog :
+       {MediumDescription{.scattering = grey(2.5f)}, MediumDescription{.absorption = grey(0.5f)}}) {
+    const auto fogAt = [&](float height) {
+      SceneDescription scene = test::room();
+      const Id box = test::addBox(scene, {0.0f, height - 0.4f, 0.1f}, {0.5f, 0.6f, 0.5f}, 20.0f,
+                                  scene.addMaterial("air", InterfaceMaterial{}));
+      scene.shapes[box].interior = filled(scene, fog);
+      return scene;
+    };
+    const Scene above(fogAt(1e-3f)), standing(fogAt(0.0f));
+    const PathIntegrator path(with(Strategy::Mis));
+    EXPECT_TRUE(agree(meanOf(standing, path, 24, 512, 1), meanOf(above, path, 24, 512, 2)));
+  }
 }
 
 // A fault that the tests above must notice.

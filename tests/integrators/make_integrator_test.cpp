@@ -1,5 +1,6 @@
 #include "steradian/integrators/make_integrator.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "steradian/integrators/path.h"
@@ -30,6 +31,22 @@ TEST(MakeIntegrator, DefaultsAreThoseOfTheSettings) {
   EXPECT_EQ(given.lightSamples, expected.lightSamples);
   EXPECT_EQ(given.maxDepth, std::nullopt);
   EXPECT_EQ(given.rouletteStart, 4u);
+  EXPECT_EQ(given.rouletteStrength, expected.rouletteStrength);
+}
+
+TEST(MakeIntegrator, TheRegistryNamesTheDefaults) {
+  std::string spec = "path:strategy=mixture";
+  for (const IntegratorKey& key : integratorRegistry().front().keys) {
+    const bool ofTheScene = key.defaultValue == "the scene's";
+    if (!ofTheScene && key.name != "strategy") spec += fmt::format(":{}={}", key.name, key.defaultValue);
+  }
+  const PathSettings named = pathSettings(spec), expected;
+  EXPECT_EQ(named.lightSamples, expected.lightSamples);
+  EXPECT_EQ(named.scatterPdf, expected.scatterPdf);
+  EXPECT_EQ(named.rouletteStart, expected.rouletteStart);
+  EXPECT_EQ(named.rouletteStrength, expected.rouletteStrength);
+  EXPECT_EQ(named.targetWeight, expected.targetWeight);
+  EXPECT_EQ(named.width, expected.width);
 }
 
 TEST(MakeIntegrator, ReadsEveryKeyOfPath) {
