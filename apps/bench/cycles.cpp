@@ -44,28 +44,35 @@ class TemporaryFolder {
 
 /// What one renderer achieved; medians.
 struct Result {
-  double seconds, relMse, efficiency, mean;
+  double seconds, samplesPerSecond, relMse, efficiency, mean;
 };
 
 /// One renderer's reference, and its runs so far. Its error is that against its own reference: modelling a scene a
 /// little differently shall not count as noise.
 class Entrant {
  public:
-  Entrant(Contender& contender, const BenchOptions& options)
+  /// `longer`: how many times the samples of the options' reference.
+  Entrant(Contender& contender, const BenchOptions& options, double longer = 1.0)
       : contender_(contender),
-        reference_(makeReference(contender, options.referenceSamples.value_or(kReferenceSamples))) {}
+        pixels_(static_cast<double>(options.width) * options.height),
+        reference_(makeReference(
+            contender, static_cast<std::uint32_t>(longer * options.referenceSamples.value_or(kReferenceSamples)))) {}
 
-  void run(std::uint32_t samplesPerPixel, std::uint32_t seed) {
+  /// Returns the seconds that it took.
+  double run(std::uint32_t samplesPerPixel, std::uint32_t seed) {
     const TimedPicture picture = contender_.render(samplesPerPixel, seed);
     const double error = reference_.relMseOf(picture.image);
     seconds_.push_back(picture.seconds);
+    rates_.push_back(pixels_ * samplesPerPixel / picture.seconds);
     errors_.push_back(error);
     efficiencies_.push_back(1.0 / (error * picture.seconds));
+    return picture.seconds;
   }
 
   Result result() const {
     const std::array<double, 3> means = channelMeans(reference_.mean);
-    return {median(seconds_), median(errors_), median(efficiencies_), (means[0] + means[1] + means[2]) / 3.0};
+    return {median(seconds_), median(rates_), median(errors_), median(efficiencies_),
+            (means[0] + means[1] + means[2]) / 3.0};
   }
 
  private:
@@ -76,16 +83,16 @@ class Entrant {
   }
 
   Contender& contender_;
+  double pixels_;
   app::Reference reference_;
-  std::vector<double> seconds_, errors_, efficiencies_;
+  std::vector<double> seconds_, rates_, errors_, efficiencies_;
 };
 
 struct Comparison {
   std::string scene;
-  double samples;  ///< of one run
   Result ours, theirs;
 
-  double sampleRateRatio() const { return theirs.seconds / ours.seconds; }
+  double sampleRateRatio() const { return ours.samplesPerSecond / theirs.samplesPerSecond; }
   double efficiencyRatio() const { return ours.efficiency / theirs.efficiency; }
   double meanRatio() const { return ours.mean / theirs.mean; }
 };
@@ -95,21 +102,27 @@ Comparison compare(const std::string& name, const BenchOptions& options) {
   const TemporaryFolder folder;
   Steradian steradian(scene, options);
   Cycles cycles(scene, options, folder.path());
-  Entrant ours(steradian, options), theirs(cycles, options);
   const std::uint32_t spp = options.samplesPerPixel.value_or(kSamplesPerPixel);
+  double faster = 1.0, secondsPerSample = 0.0;
+  if (options.equalTime) {
+    constexpr std::uint32_t trialSeed = 2000;
+    const double trial = steradian.render(spp, trialSeed).seconds;
+    secondsPerSample = trial / spp;
+    faster = std::max(1.0, cycles.render(spp, trialSeed).seconds / trial);
+  }
+  Entrant ours(steradian, options, faster), theirs(cycles, options);
   for (int i = 0; i < options.repeats; ++i) {
     const auto seed = static_cast<std::uint32_t>(i);
-    ours.run(spp, seed);
-    theirs.run(spp, seed);
+    const double seconds = theirs.run(spp, seed);
+    ours.run(options.equalTime ? static_cast<std::uint32_t>(std::max(1.0, seconds / secondsPerSample)) : spp, seed);
   }
-  const double samples = static_cast<double>(options.width) * options.height * spp;
-  return {name, samples, ours.result(), theirs.result()};
+  return {name, ours.result(), theirs.result()};
 }
 
 void printComparison(const Comparison& c) {
   const auto row = [&](const char* renderer, const Result& r) {
     fmt::print("| {} | {} | {:.2f} | {:.2f} | {:.5f} | {:.0f} |\n", c.scene, renderer, r.seconds,
-               c.samples / r.seconds / 1e6, r.relMse, r.efficiency);
+               r.samplesPerSecond / 1e6, r.relMse, r.efficiency);
   };
   row("Steradian", c.ours);
   row("Cycles", c.theirs);
@@ -120,7 +133,7 @@ void printComparison(const Comparison& c) {
 nlohmann::json toJson(const Comparison& c) {
   const auto result = [&](const Result& r) {
     return nlohmann::json{{"sample_seconds", r.seconds},
-                          {"samples_per_second", c.samples / r.seconds},
+                          {"samples_per_second", r.samplesPerSecond},
                           {"rel_mse", r.relMse},
                           {"efficiency", r.efficiency},
                           {"reference_mean", r.mean}};
@@ -141,10 +154,10 @@ void runCycles(const BenchOptions& options) {
       options.scenes.empty() ? std::vector<std::string>{"cornell-box", "cornell-glass-sphere"} : options.scenes;
   if (!options.json) {
     fmt::print(
-        "\nBeside Blender's Cycles, {} x {}, {} spp, {} threads, medians of {}\n\n"
+        "\nBeside Blender's Cycles, {} x {}, {} spp{}, {} threads, medians of {}\n\n"
         "| scene | renderer | sampling s | Msamples/s | relMSE | 1/(relMSE s) |\n|---|---|---|---|---|---|\n",
-        options.width, options.height, options.samplesPerPixel.value_or(kSamplesPerPixel), options.threads,
-        options.repeats);
+        options.width, options.height, options.samplesPerPixel.value_or(kSamplesPerPixel),
+        options.equalTime ? " of Cycles, ours as many as its time allows" : "", options.threads, options.repeats);
     std::fflush(stdout);
   }
   std::vector<Comparison> comparisons;

@@ -52,6 +52,7 @@ void declare(CLI::App& app, Texts& texts, BenchOptions& options) {
       ->type_name("N")
       ->capture_default_str();
   app.add_option("--repeats", texts.repeats, "Figures are medians of N runs")->type_name("N")->capture_default_str();
+  app.add_flag("--equal-time", options.equalTime, "--cycles: ours with as many samples as take the time of Cycles");
   app.add_option("--cycles-script", options.cyclesScript, "The script that Blender runs")->capture_default_str();
   app.add_flag("--json", options.json, "Print the figures of renders, books, samplers and --cycles as JSON");
 }

@@ -27,6 +27,7 @@ struct BenchOptions {
   std::uint32_t pathWidth = 0;  ///< PathSettings::width of our renders
   int repeats = 3;              ///< figures are medians of so many runs
   bool json = false;
+  bool equalTime = false;  ///< --cycles: ours takes as many samples as the time of Cycles allows
   std::string cyclesScript = "apps/bench/cycles_scene.py";
   std::vector<std::string> forMicro;  ///< options that begin with --benchmark_
 };
