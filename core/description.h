@@ -175,9 +175,9 @@ struct ShapeDescription {
   Id material = kNone;
   std::vector<Id> primitiveMaterials;  ///< one per primitive, or empty: `material` for all
   Id emission = kNone;                 ///< every primitive is an area light
-  bool target = false;               ///< a sampling target of the mixture strategy; any flag replaces the set "lights"
-  std::optional<Interior> interior;  ///< of closed shapes
-  std::optional<Motion> motion;      ///< none: the set's coordinates are those of the world
+  bool target = false;                 ///< a sampling target; for `mixture` any flag replaces the set "lights"
+  std::optional<Interior> interior;    ///< of closed shapes
+  std::optional<Motion> motion;        ///< none: the set's coordinates are those of the world
   SourceRange where;
 };
 

@@ -65,10 +65,16 @@ void IntegratorSpec::read(std::string_view key, std::optional<std::uint32_t>& va
 }
 
 void IntegratorSpec::read(std::string_view key, float& value, float low, float high) {
+  std::optional<float> given;
+  read(key, given, low, high);
+  value = given.value_or(value);
+}
+
+void IntegratorSpec::read(std::string_view key, std::optional<float>& value, float low, float high) {
   const std::string* text = valueOf(key);
   if (text == nullptr) return;
   if (const auto number = numberIn(*text, low, high)) {
-    value = *number;
+    value = number;
   } else {
     wrong(fmt::format("{} must be a number from {} to {}, not \"{}\"", key, low, high, *text));
   }

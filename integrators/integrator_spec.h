@@ -35,6 +35,7 @@ class IntegratorSpec {
   void read(std::string_view key, std::optional<std::uint32_t>& value, std::uint32_t low, std::uint32_t high);
   /// A number in [low, high]; +inf is allowed if `high` is.
   void read(std::string_view key, float& value, float low, float high);
+  void read(std::string_view key, std::optional<float>& value, float low, float high);
   /// Comma-separated names, none of them empty.
   void read(std::string_view key, std::vector<std::string>& value);
   /// One of the names; enumerators must be 0, 1, 2, ... in their order.

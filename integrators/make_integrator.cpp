@@ -19,8 +19,8 @@ constexpr std::array kPathKeys{
     IntegratorKey{"scatter-pdf", "bsdf", "what proposes scattered directions: bsdf|cosine|hemisphere|sphere"},
     IntegratorKey{"roulette-start", "4", "bounces before paths may be ended by chance"},
     IntegratorKey{"roulette-strength", "0.4", "0: never end them; 1: survival as probable as the path is bright"},
-    IntegratorKey{"target-weight", "0.5", "mixture: probability of a sampling target; 1 loses other light"},
-    IntegratorKey{"targets", "the scene's", "mixture: names of shapes, or lights; separated by commas"},
+    IntegratorKey{"target-weight", "0.5; mis: 0.25", "mixture, mis: probability of a target; 1 loses other light"},
+    IntegratorKey{"targets", "the scene's", "mixture, mis: names of shapes, or lights; separated by commas"},
     IntegratorKey{"width", "0", "paths traced at once: 1, 4, 8 or 16; 0: as many as pay here"},
 };
 constexpr std::array kOcclusionKeys{
@@ -45,8 +45,8 @@ PathSettings readPathSettings(IntegratorSpec& spec) {
   spec.read("target-weight", settings.targetWeight, 0.0f, 1.0f);
   spec.read("targets", settings.targets);
   spec.read("width", settings.width, 0u, 16u);
-  if (settings.strategy != Strategy::Mixture) {
-    for (const std::string_view key : {"target-weight", "targets"}) spec.refuse(key, "needs strategy=mixture");
+  if (settings.strategy != Strategy::Mixture && settings.strategy != Strategy::Mis) {
+    for (const std::string_view key : {"target-weight", "targets"}) spec.refuse(key, "needs strategy=mis or mixture");
   }
   return settings;
 }

@@ -49,7 +49,7 @@ PathIntegrator::PathIntegrator(const PathSettings& settings) : settings_(setting
   count("the start of roulette", settings.rouletteStart, 0, PathSettings::kDeepest);
   count("the largest depth", settings.maxDepth.value_or(0), 0, PathSettings::kDeepest);
   share("the strength of roulette", settings.rouletteStrength);
-  share("the weight of targets", settings.targetWeight);
+  share("the weight of targets", settings.targetWeight.value_or(0.0f));
   constexpr std::array<std::uint32_t, 5> widths{0, 1, 4, 8, 16};
   if (std::find(widths.begin(), widths.end(), settings.width) == widths.end()) {
     wrong.error({}, fmt::format("the width must be 1, 4, 8 or 16, or 0 for the widest, not {}", settings.width));
@@ -77,10 +77,12 @@ PathTracer::PathTracer(const Scene& scene, const PathSettings& settings) : plan_
     lights_ = lightsOf(scene, {.sampleAreas = true, .sampleSkies = true});
     plan_.lights = &*lights_;
   }
-  if (strategy == Strategy::Mixture) {
-    targets_.emplace(scene.description(), settings.targets);
+  const bool mixes = strategy == Strategy::Mixture;
+  if (mixes || strategy == Strategy::Mis) {
+    const auto unnamed = mixes ? TargetSet::Unnamed::FlaggedOrLights : TargetSet::Unnamed::FlaggedButLights;
+    targets_.emplace(scene.description(), settings.targets, unnamed);
     plan_.targets = &*targets_;
-    plan_.targetWeight = targets_->empty() ? 0.0f : settings.targetWeight;
+    plan_.targetWeight = targets_->empty() ? 0.0f : settings.targetWeight.value_or(mixes ? 0.5f : 0.25f);
   }
 }
 

@@ -3,9 +3,10 @@
 ///
 /// The direct-light strategies differ in two choices only: which lights are sampled at a vertex, and which density
 /// scattering is taken to have when it competes with light sampling in the power heuristic. `bsdf` and `mixture` sample
-/// those lights only that cannot be hit. `mis` samples all but smooth skies and takes the true density. `light` samples
-/// all and takes 0, so that light samples get all the weight, hits of emitters none. Dirac lobes have infinity in every
-/// strategy. What light sampling cannot find has pdf 0 as emission and belongs to scattering alone.
+/// those lights only that cannot be hit. `mis` samples all but smooth skies and takes the true density, which is that
+/// of the mixture with sampling targets where there are any. `light` samples all and takes 0, so that light samples get
+/// all the weight, hits of emitters none. Dirac lobes have infinity in every strategy. What light sampling cannot find
+/// has pdf 0 as emission and belongs to scattering alone.
 ///
 /// Where a medium scatters the path, its phase function takes the place of the BSDF, and the rest is the same.
 #include "steradian/core/direction_pdf.h"
@@ -79,6 +80,16 @@ BsdfSample<float> scatter(const Vertex& vertex, BsdfRandom<float> random) {
   return {f.value / pdf, direction.wi, pdf, kLobeDiffuse, 1.0f};
 }
 
+/// The density with which a continuous lobe's wi is chosen by the mixture of targets and scattering, if there is one;
+/// `bsdfPdf` is the BSDF's own.
+template <class Queries, class Vertex>
+float mixedDensity(const PathPlan& plan, Queries& queries, const Vertex& vertex, Vec3f wi, float bsdfPdf) {
+  const float scattered = scatterDensity(vertex, wi, bsdfPdf);
+  if (!(plan.targetWeight > 0.0f)) return scattered;
+  const float targetPdf = (1.0f - vertex.diracProbability) * queries.targetPdf(*plan.targets, vertex.point, wi);
+  return plan.targetWeight * targetPdf + (1.0f - plan.targetWeight) * scattered;
+}
+
 /// One direction from the mixture of targets and scattering, over its marginal density. Dirac lobes come first, with
 /// their own probability; the mixture covers the continuous ones.
 template <class Queries, class Vertex>
@@ -101,8 +112,7 @@ BsdfSample<float> scatterMixture(const PathPlan& plan, Queries& queries, const V
   }
   const BsdfValue<float> f = vertex.bsdf.eval(vertex.wo, wi, Transport::Radiance);
   if (isBlack(f.value)) return {};
-  const float targetPdf = (1.0f - vertex.diracProbability) * queries.targetPdf(*plan.targets, vertex.point, wi);
-  const float pdf = plan.targetWeight * targetPdf + (1.0f - plan.targetWeight) * scatterDensity(vertex, wi, f.pdf);
+  const float pdf = mixedDensity(plan, queries, vertex, wi, f.pdf);
   if (!(pdf > 0.0f)) return {};
   return {f.value / pdf, wi, pdf, kLobeDiffuse, 1.0f};
 }
@@ -160,8 +170,7 @@ Rgb directLight(const PathPlan& plan, Queries& queries, const Vertex& vertex, co
     if (isBlack(f.value)) continue;
     const Rgb visible = visibility(queries, vertex, spawnRay(vertex.point, light.wi, light.distance));
     if (isBlack(visible)) continue;
-    const float density = scatterDensity(vertex, light.wi, f.pdf);
-    const float other = plan.strategy == Strategy::Mis ? density : 0.0f;
+    const float other = plan.strategy == Strategy::Mis ? mixedDensity(plan, queries, vertex, light.wi, f.pdf) : 0.0f;
     sum += f.value * light.weight * visible * misWeight(count * light.pdf, other);
   }
   return sum / count;

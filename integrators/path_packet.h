@@ -10,75 +10,12 @@
 #include <optional>
 #include <span>
 
+#include "steradian/integrators/camera_samples.h"
 #include "steradian/integrators/path_loop.h"
 #include "steradian/integrators/wide_flight.h"
 #include "steradian/integrators/wide_scene.h"
 
 namespace steradian {
-
-/// Samples first, ..., first + perPixel - 1 of the pixels of one tile, pixel by pixel: gives lanes their camera rays.
-template <class F>
-class CameraSamples {
- public:
-  static constexpr int width = widthOf<F>;
-
-  CameraSamples(const RenderJob& job, const Crop& tile, PassRange pass)
-      : job_(job), tile_(tile), first_(pass.first), perPixel_(pass.count()) {
-    const auto pixels = static_cast<std::uint32_t>((tile.x1 - tile.x0) * (tile.y1 - tile.y0));
-    count_ = pixels * perPixel_;
-    column_ = tile.x0;
-    row_ = tile.y0;
-    pixelKey_ = RenderJob::pixelKey(column_, row_);
-  }
-
-  /// How many there are; they are numbered from 0.
-  std::uint32_t count() const { return count_; }
-  bool empty() const { return next_ == count_; }
-
-  struct Start {
-    Ray<float> ray;
-    float weight;
-    std::uint32_t pixel, sample;
-    std::uint32_t number;
-  };
-  /// The next one; there must be one.
-  Start take() {
-    const int i = static_cast<int>(next_ % width);
-    if (i == 0) prepare();
-    return {lane(rays_.ray, i), lane(rays_.weight, i), lane(pixel_, i), lane(sample_, i), next_++};
-  }
-
- private:
-  /// Camera rays of the next samples, one per lane. (Those beyond the last are never taken.)
-  void prepare() {
-    F x, y;
-    for (int i = 0; i < width; ++i) {
-      setLane(x, i, static_cast<float>(column_));
-      setLane(y, i, static_cast<float>(row_));
-      setLane(pixel_, i, pixelKey_);
-      setLane(sample_, i, first_ + inPixel_);
-      if (++inPixel_ == perPixel_) nextPixel();
-    }
-    rays_ = job_.cameraRay(x, y, Sampler<F>(job_.samplerSettings, pixel_, sample_));
-  }
-  void nextPixel() {
-    inPixel_ = 0;
-    if (++column_ == tile_.x1) {
-      column_ = tile_.x0;
-      if (++row_ == tile_.y1) --row_;
-    }
-    pixelKey_ = RenderJob::pixelKey(column_, row_);
-  }
-
-  const RenderJob& job_;
-  Crop tile_;
-  std::uint32_t first_, perPixel_, count_, next_ = 0;
-  // The first sample that prepare() has not dealt with.
-  int column_, row_;
-  std::uint32_t pixelKey_, inPixel_ = 0;
-  WeightedRay<F> rays_;
-  UintOf<F> pixel_, sample_;
-};
 
 template <class F>
 class PathPacket {
@@ -92,7 +29,7 @@ class PathPacket {
         counts_(counts),
         flight_(scene),
         hasVolumes_(flight_.needed()),
-        byLane_(plan.targetWeight > 0.0f || plan.scatterPdf != ScatterPdf::Bsdf) {}
+        byLane_(plan.scatterPdf != ScatterPdf::Bsdf) {}
 
   /// Traces the path of every sample; results[number] is its sample.
   void run(CameraSamples<F>& samples, std::span<PixelSample> results) {
@@ -150,7 +87,12 @@ class PathPacket {
   [[gnu::noinline]] void addMedia(Vertex& vertex, Mask hit, std::span<PixelSample> results);
   Spectrum<F> directLight(const Vertex& vertex, Mask going);
   Spectrum<F> directLight(const LightSet& lights, const Vertex& vertex, Mask lit);
+  BsdfValue<F> eval(const Vertex& vertex, const Vec3<F>& wi, Mask lanes) const;
+  BsdfSample<F> sample(const Vertex& vertex, const BsdfRandom<F>& random, Mask lanes) const;
+  /// As in path_loop.h.
+  F mixedDensity(const Vertex& vertex, const Vec3<F>& wi, F scattered, Mask lanes) const;
   BsdfSample<F> scatter(const Vertex& vertex, Mask going);
+  [[gnu::noinline]] BsdfSample<F> scatterMixture(const Vertex& vertex, const BsdfRandom<F>& random, Mask going);
   /// Direct light and scattering by the functions of width 1, for the strategies that draw from other densities.
   BsdfSample<F> shadeByLane(const SurfacePoint<F>& surface, Mask going);
 
@@ -289,17 +231,12 @@ Spectrum<F> PathPacket<F>::directLight(const LightSet& lights, const Vertex& ver
     const LightSample<F> light =
         lights.sample(vertex.point, LightRandom<F>{choice, sampler_->get2D(own, Purpose::LightPosition)}, lit);
     Mask sampled = lit & (light.pdf > F(0.0f));
-    BsdfValue<F> f;
-    forEachScatterer(vertex, sampled, [&](const auto& scatterer, Mask mine) {
-      const BsdfValue<F> v = scatterer.eval(vertex.wo, light.wi, Transport::Radiance);
-      f.value = select(mine, v.value, f.value);
-      f.pdf = select(mine, v.pdf, f.pdf);
-    });
+    const BsdfValue<F> f = eval(vertex, light.wi, sampled);
     sampled = sampled & !isBlack(f.value);
     if (!any(sampled)) continue;
     counts_.shadowRays += static_cast<std::uint64_t>(std::popcount(laneBits(sampled)));
     const Ray<F> shadow = spawnRay(vertex.point, light.wi, light.distance);
-    const F other = plan_.strategy == Strategy::Mis ? f.pdf : F(0.0f);
+    const F other = plan_.strategy == Strategy::Mis ? mixedDensity(vertex, light.wi, f.pdf, sampled) : F(0.0f);
     const F weight = misWeight(count * light.pdf, other);
     if (hasVolumes_) {
       const Spectrum<F> visible = flight_.transmittance(*vertex.surface, vertex.wo, shadow, sampled);
@@ -313,13 +250,20 @@ Spectrum<F> PathPacket<F>::directLight(const LightSet& lights, const Vertex& ver
 }
 
 template <class F>
-BsdfSample<F> PathPacket<F>::scatter(const Vertex& vertex, Mask going) {
-  const Mask choosing = going & (vertex.diracProbability > F(0.0f));
-  F lobe(0.0f);
-  if (any(choosing)) lobe = select(choosing, sampler_->get1D(bounce_, Purpose::BsdfLobe), lobe);
-  const BsdfRandom<F> random{lobe, sampler_->get2D(bounce_, Purpose::BsdfDirection)};
+BsdfValue<F> PathPacket<F>::eval(const Vertex& vertex, const Vec3<F>& wi, Mask lanes) const {
+  BsdfValue<F> f;
+  forEachScatterer(vertex, lanes, [&](const auto& scatterer, Mask mine) {
+    const BsdfValue<F> v = scatterer.eval(vertex.wo, wi, Transport::Radiance);
+    f.value = select(mine, v.value, f.value);
+    f.pdf = select(mine, v.pdf, f.pdf);
+  });
+  return f;
+}
+
+template <class F>
+BsdfSample<F> PathPacket<F>::sample(const Vertex& vertex, const BsdfRandom<F>& random, Mask lanes) const {
   BsdfSample<F> sample;
-  forEachScatterer(vertex, going, [&](const auto& scatterer, Mask mine) {
+  forEachScatterer(vertex, lanes, [&](const auto& scatterer, Mask mine) {
     const BsdfSample<F> s = scatterer.sample(vertex.wo, random, Transport::Radiance);
     sample.weight = select(mine, s.weight, sample.weight);
     sample.wi = select(mine, s.wi, sample.wi);
@@ -327,6 +271,43 @@ BsdfSample<F> PathPacket<F>::scatter(const Vertex& vertex, Mask going) {
     sample.eta = select(mine, s.eta, sample.eta);
   });
   return sample;
+}
+
+template <class F>
+F PathPacket<F>::mixedDensity(const Vertex& vertex, const Vec3<F>& wi, F scattered, Mask lanes) const {
+  if (!(plan_.targetWeight > 0.0f)) return scattered;
+  const F targetPdf = (F(1.0f) - vertex.diracProbability) * plan_.targets->pdfDirection(vertex.point, wi, lanes);
+  return F(plan_.targetWeight) * targetPdf + F(1.0f - plan_.targetWeight) * scattered;
+}
+
+template <class F>
+BsdfSample<F> PathPacket<F>::scatter(const Vertex& vertex, Mask going) {
+  const Mask choosing = going & (vertex.diracProbability > F(0.0f));
+  F lobe(0.0f);
+  if (any(choosing)) lobe = select(choosing, sampler_->get1D(bounce_, Purpose::BsdfLobe), lobe);
+  const BsdfRandom<F> random{lobe, sampler_->get2D(bounce_, Purpose::BsdfDirection)};
+  return plan_.targetWeight > 0.0f ? scatterMixture(vertex, random, going) : sample(vertex, random, going);
+}
+
+template <class F>
+BsdfSample<F> PathPacket<F>::scatterMixture(const Vertex& vertex, const BsdfRandom<F>& random, Mask going) {
+  const Mask mixed = going & !(random.lobe < vertex.diracProbability);
+  const Mask aimed = mixed & (sampler_->get1D(bounce_, Purpose::Mixture) < F(plan_.targetWeight));
+  const BsdfSample<F> scattered = sample(vertex, random, going & !aimed);
+  const Uint own = bounce_ + Uint(plan_.lightSamples * (plan_.maxDepth + 1));
+  DirectionSample<F> target;
+  if (any(aimed)) {
+    const F choice = plan_.targets->size() > 1 ? sampler_->get1D(own, Purpose::LightSelect) : F(0.0f);
+    target =
+        plan_.targets->sampleDirection(vertex.point, {choice, sampler_->get2D(own, Purpose::LightPosition)}, aimed);
+  }
+  const Vec3<F> wi = select(aimed, target.wi, scattered.wi);
+  const Mask found = mixed & (select(aimed, target.pdf, scattered.pdf) > F(0.0f));
+  const BsdfValue<F> f = eval(vertex, wi, found);
+  const Mask lit = found & !isBlack(f.value);
+  const F pdf = any(lit) ? select(lit, mixedDensity(vertex, wi, f.pdf, lit), F(0.0f)) : F(0.0f);
+  return {select(mixed, f.value / pdf, scattered.weight), wi, select(mixed, pdf, scattered.pdf), Lobe<F>(kLobeDiffuse),
+          select(mixed, F(1.0f), scattered.eta)};
 }
 
 template <class F>

@@ -12,7 +12,8 @@ enum class Strategy {
   Bsdf,    ///< light is found by scattered rays only
   Light,   ///< one point on a light per vertex; scattered rays count emission only after lobes that lights cannot
            ///< be sampled for: Dirac ones, and metal with fuzz < 1, whose variance would be infinite
-  Mis,     ///< both, weighted by the power heuristic (Veach 1997, 9.2)
+  Mis,     ///< shadow rays and scattered ones, weighted by the power heuristic (Veach 1997, 9.2); where there are
+           ///< sampling targets besides the lights, scattered rays are drawn from a mixture of them and the BSDF
   Mixture  ///< one direction per vertex from a mixture of sampling targets and BSDF ("The Rest of Your Life", 10-12)
 };
 
@@ -40,9 +41,11 @@ struct PathSettings {
   float rouletteStrength = 0.4f;
   /// Bounces up to kDeepest, 0 for emission only; nothing: as the scene says.
   std::optional<std::uint32_t> maxDepth = std::nullopt;
-  /// Mixture: the probability of choosing a target, in [0, 1]. With 1, light from elsewhere is lost.
-  float targetWeight = 0.5f;
-  /// Mixture: names of shapes and `lights`; none: those that the scene flags, or else its lights.
+  /// Mixture, Mis: the probability of choosing a target, in [0, 1]; nothing: 0.5, and 0.25 for Mis, which samples the
+  /// lights besides. With 1, light from elsewhere is lost.
+  std::optional<float> targetWeight = std::nullopt;
+  /// Mixture, Mis: names of shapes and `lights`; none: those that the scene flags; for Mixture or else its
+  /// lights, for Mis those that do not emit.
   std::vector<std::string> targets = {};
   /// Paths traced at once: 1, 4, 8, 16, or 0 for as many as an instruction of the processor holds floats. A matter of
   /// speed only.

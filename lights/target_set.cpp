@@ -74,14 +74,17 @@ Object objectOf(const SceneDescription& scene, const std::string& name) {
   throw Error(ErrorKind::Usage, diagnostic);
 }
 
-std::vector<Object> objectsOf(const SceneDescription& scene, std::span<const std::string> names) {
+std::vector<Object> objectsOf(const SceneDescription& scene, std::span<const std::string> names,
+                              TargetSet::Unnamed unnamed) {
   std::vector<Object> objects;
   for (const std::string& name : names) objects.push_back(objectOf(scene, name));
   if (!names.empty()) return objects;
+  const bool butLights = unnamed == TargetSet::Unnamed::FlaggedButLights;
   for (Id shape = 0; shape < scene.shapes.size(); ++shape) {
-    if (scene.shapes[shape].target) addShape(scene, shape, objects.emplace_back());
+    const ShapeDescription& s = scene.shapes[shape];
+    if (s.target && (s.emission == kNone || !butLights)) addShape(scene, shape, objects.emplace_back());
   }
-  if (objects.empty()) objects.push_back(lightsOf(scene));
+  if (objects.empty() && !butLights) objects.push_back(lightsOf(scene));
   return objects;
 }
 
@@ -96,16 +99,7 @@ TargetGroup groupOf(std::vector<Object> objects) {
 
 }  // namespace
 
-TargetSet::TargetSet(const SceneDescription& scene, std::span<const std::string> names)
-    : members_(groupOf(objectsOf(scene, names))) {}
-
-DirectionSample<float> TargetSet::sampleDirection(const ScatterPoint<float>& from,
-                                                  const LightRandom<float>& random) const {
-  return HittablePdf(members_, from.position, from.time).sample(random.select, random.position);
-}
-
-float TargetSet::pdfDirection(const ScatterPoint<float>& from, Vec3f wi) const {
-  return HittablePdf(members_, from.position, from.time).pdf(wi);
-}
+TargetSet::TargetSet(const SceneDescription& scene, std::span<const std::string> names, Unnamed unnamed)
+    : members_(groupOf(objectsOf(scene, names, unnamed))) {}
 
 }  // namespace steradian

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "steradian/accel/shapes/hittable_pdf.h"
+#include "steradian/accel/shapes/sampled_shape_lanes.h"
 #include "steradian/core/description.h"
 
 namespace steradian {
@@ -17,22 +18,73 @@ namespace steradian {
 /// not, from whichever side.
 class TargetSet {
  public:
-  /// The objects that have these names: shapes, or "lights". No names: the shapes that the description flags as
-  /// targets, or else the lights. Throws Error: Usage for a name that nothing has, with a suggestion; Scene for custom
-  /// shapes.
-  explicit TargetSet(const SceneDescription& scene, std::span<const std::string> names = {});
+  /// What to aim at where no names are given: what the description flags as a target.
+  enum class Unnamed {
+    FlaggedOrLights,  ///< or else the lights
+    FlaggedButLights  ///< of that what does not emit: lights are sampled otherwise
+  };
+  /// The objects that have these names: shapes, or "lights". Throws Error: Usage for a name that nothing has, with a
+  /// suggestion; Scene for custom shapes.
+  explicit TargetSet(const SceneDescription& scene, std::span<const std::string> names = {},
+                     Unnamed unnamed = Unnamed::FlaggedOrLights);
 
-  /// Without a distance, as a direction may meet several members.
-  DirectionSample<float> sampleDirection(const ScatterPoint<float>& from, const LightRandom<float>& random) const;
-  /// The density of that, per sr. It takes time in proportion to the number of members.
-  float pdfDirection(const ScatterPoint<float>& from, Vec3f wi) const;
+  /// Without a distance, as a direction may meet several members. Lanes that are not active have no sample.
+  template <class F>
+  DirectionSample<F> sampleDirection(const ScatterPoint<F>& from, const LightRandom<F>& random,
+                                     MaskOf<F> active = MaskOf<F>(true)) const;
+  /// The density of that, per sr; of lanes that are not active any. It takes time in proportion to the number of
+  /// members.
+  template <class F>
+  F pdfDirection(const ScatterPoint<F>& from, Vec3<F> wi, MaskOf<F> active = MaskOf<F>(true)) const;
 
-  /// Nothing to sample: no lights, or lights without power.
+  /// Nothing to sample: no targets, no lights, or lights without power.
   bool empty() const { return members_.empty(); }
   std::size_t size() const { return members_.shapes().size(); }
 
  private:
   TargetGroup members_;
 };
+
+template <class F>
+DirectionSample<F> TargetSet::sampleDirection(const ScatterPoint<F>& from, const LightRandom<F>& random,
+                                              MaskOf<F> active) const {
+  DirectionSample<F> sample;
+  if (empty()) return sample;
+  UintOf<F> member(0u);
+  if (size() > 1) {
+    for (int i = 0; i < widthOf<F>; ++i)
+      setLane(member, i, static_cast<std::uint32_t>(members_.choose(lane(random.select, i))));
+  }
+  // Member by member of those that were chosen: mostly one, or as many as there are lanes.
+  MaskOf<F> left = active;
+  for (int i = 0; i < widthOf<F>; ++i) {
+    if (!lane(left, i)) continue;
+    const std::uint32_t chosen = lane(member, i);
+    const MaskOf<F> mine = left & (member == UintOf<F>(chosen));
+    const auto one =
+        steradian::sampleDirection<F>(members_.shapes()[chosen], from.position, random.position, from.time, mine);
+    sample.wi = select(mine, one.wi, sample.wi);
+    sample.pdf = select(mine, one.pdf, sample.pdf);
+    left = left & !mine;
+  }
+  const MaskOf<F> found = active & (sample.pdf > F(0.0f));
+  if (size() == 1) {
+    sample.pdf = select(found, sample.pdf, F(0.0f));
+    return sample;
+  }
+  sample.pdf = any(found) ? select(found, pdfDirection(from, sample.wi, found), F(0.0f)) : F(0.0f);
+  return sample;
+}
+
+template <class F>
+F TargetSet::pdfDirection(const ScatterPoint<F>& from, Vec3<F> wi, MaskOf<F> active) const {
+  F sum(0.0f);
+  for (std::size_t i = 0; i < size(); ++i) {
+    const float probability = members_.probability(i);
+    if (!(probability > 0.0f)) continue;
+    sum = sum + F(probability) * steradian::pdfDirection<F>(members_.shapes()[i], from.position, wi, from.time, active);
+  }
+  return sum;
+}
 
 }  // namespace steradian

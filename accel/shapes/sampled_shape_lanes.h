@@ -11,14 +11,18 @@
 
 namespace steradian {
 
+/// Lanes that are not active may have any sample.
 template <class F>
-DirectionSample<F> sampleDirection(const SampledShape& shape, Vec3<F> from, Vec2<F> u, F time) {
+DirectionSample<F> sampleDirection(const SampledShape& shape, Vec3<F> from, Vec2<F> u, F time,
+                                   MaskOf<F> active = MaskOf<F>(true)) {
   if constexpr (widthOf<F> == 1) {
     return shape.sampleDirection(from, u, time);
   } else {
     return std::visit(
         [&]<class S>(const S& s) {
-          if constexpr (requires { inLanes<F>(s); }) {
+          if constexpr (std::is_same_v<S, Sphere<float>>) {
+            return sampleDirection(inLanes<F>(s), from, u, active);
+          } else if constexpr (requires { inLanes<F>(s); }) {
             return sampleDirection(inLanes<F>(s), from, u);
           } else {
             DirectionSample<F> samples;
@@ -29,6 +33,29 @@ DirectionSample<F> sampleDirection(const SampledShape& shape, Vec3<F> from, Vec2
               setLane(samples.distance, i, one.distance);
             }
             return samples;
+          }
+        },
+        shape.shape());
+  }
+}
+
+/// The density of that, per sr; of lanes that are not active any.
+template <class F>
+F pdfDirection(const SampledShape& shape, Vec3<F> from, Vec3<F> wi, F time, MaskOf<F> active = MaskOf<F>(true)) {
+  if constexpr (widthOf<F> == 1) {
+    return shape.pdfDirection(from, wi, time);
+  } else {
+    return std::visit(
+        [&]<class S>(const S& s) {
+          if constexpr (std::is_same_v<S, Sphere<float>>) {
+            return pdfDirection(inLanes<F>(s), from, wi, active);
+          } else if constexpr (requires { inLanes<F>(s); }) {
+            return pdfDirection(inLanes<F>(s), from, wi);
+          } else {
+            F densities(0.0f);
+            for (int i = 0; i < widthOf<F>; ++i)
+              setLane(densities, i, s->pdfDirection(lane(from, i), lane(wi, i), lane(time, i)));
+            return densities;
           }
         },
         shape.shape());

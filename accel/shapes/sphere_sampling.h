@@ -58,9 +58,11 @@ struct SphereView {
 /// A direction from `from` to the sphere, with the distance of its near surface. From outside: uniform in the cone that
 /// the sphere fills; the complement of the cosine keeps its digits from touching spheres down to those of 1e-18 rad,
 /// which is beyond what directions of floats can tell apart (they lie in a cone of 1e-4 rad to 0.1 %). On the surface
-/// or inside: uniform over all directions, 1 / 4 pi, which is finite everywhere where area sampling is not.
+/// or inside: uniform over all directions, 1 / 4 pi, which is finite everywhere where area sampling is not. Lanes that
+/// are not active may have any sample.
 template <class F>
-DirectionSample<F> sampleDirection(const Sphere<F>& sphere, Vec3<F> from, Vec2<F> u) {
+DirectionSample<F> sampleDirection(const Sphere<F>& sphere, Vec3<F> from, Vec2<F> u,
+                                   MaskOf<F> active = MaskOf<F>(true)) {
   const detail::SphereView<F> view(sphere, from);
   const F d = view.distance, r = sphere.radius;
   const Vec3<F> local = view.cone.sample(u);
@@ -70,7 +72,7 @@ DirectionSample<F> sampleDirection(const Sphere<F>& sphere, Vec3<F> from, Vec2<F
   const F nearDistance = (d - r) * (d + r) / (d * local.z + halfChord);
   const Vec3<F> wiOutside = view.axes().toWorld(local);
   const MaskOf<F> outside = view.outside;
-  if (all(outside)) return sampleIf(outside, wiOutside, view.cone.pdfInside(), nearDistance);
+  if (all(outside | !active)) return sampleIf(outside, wiOutside, view.cone.pdfInside(), nearDistance);
 
   const Vec3<F> wiInside = UniformSphere<F>::sample(u);
   const ShapeHit<F> hit = intersect(sphere, Ray<F>{from, wiInside});
@@ -78,12 +80,12 @@ DirectionSample<F> sampleDirection(const Sphere<F>& sphere, Vec3<F> from, Vec2<F
                   select(outside, view.cone.pdfInside(), F(kInvFourPi)), select(outside, nearDistance, hit.t));
 }
 
-/// The density of that: 0 outside of the cone.
+/// The density of that: 0 outside of the cone. Lanes that are not active may have any.
 template <class F>
-F pdfDirection(const Sphere<F>& sphere, Vec3<F> from, Vec3<F> wi) {
+F pdfDirection(const Sphere<F>& sphere, Vec3<F> from, Vec3<F> wi, MaskOf<F> active = MaskOf<F>(true)) {
   const detail::SphereView<F> view(sphere, from);
   const F outside = view.cone.pdf(view.axes().toLocal(wi));
-  if (all(view.outside)) return densityIf(view.outside, outside);
+  if (all(view.outside | !active)) return densityIf(view.outside, outside);
   const MaskOf<F> hit = intersect(sphere, Ray<F>{from, wi}).valid;
   return densityIf(view.outside | hit, select(view.outside, outside, F(kInvFourPi)));
 }

@@ -252,7 +252,8 @@ void declareRenderOptions(CLI::App& command, RenderTexts& texts) {
   option("--strategy", texts.strategy, "S", "how light is found: bsdf, light, mis (default) or mixture");
   option("--max-depth", texts.maxDepth, "N", "bounces (default: the scene's); 0: emission only");
   option("--target", texts.targets, "NAMES",
-         "what `mixture` aims at: names of shapes, or lights;\nseparated by commas (default: the scene's)");
+         "what scattered rays aim at (mis, mixture): names of shapes,\nor lights; separated by commas (default: the "
+         "scene's)");
   option("--width", texts.pathWidth, "N", "paths traced at once: 1, 4, 8 or 16; 0 (default): as many as pay here");
   option(
       "--isa", texts.isa, "NAME",

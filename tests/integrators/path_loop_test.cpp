@@ -70,6 +70,7 @@ struct OneLight {
     seen.push_back(random);
     return light;
   }
+  float targetPdf(const TargetSet&, const ScatterPoint<float>&, Vec3f) const { return kInvFourPi; }
   bool occluded(const Ray<float>&) const { return shadow; }
   void countShadowRay() const {}
   const Volumes& volumes() const {
@@ -101,18 +102,24 @@ class PathLoopWithPlan : public testing::Test {
 };
 
 TEST_F(PathLoopWithPlan, WeightsOfLightSamplesAndOfHitsAddUpToOne) {
+  const TargetSet targets(test::room());
   for (const Bsdf& bsdf : bsdfs()) {
     for (const ScatterPdf kind : kKinds) {
       const PathVertex vertex = vertexOn(bsdf, kind);
       const BsdfValue<float> f = bsdf.eval(vertex.wo, wi_, Transport::Radiance);
-      for (const std::uint32_t count : {1u, 3u}) {
+      for (const auto& [count, targetWeight] : {std::pair{1u, 0.0f}, {3u, 0.0f}, {1u, 0.3f}}) {
         OneLight queries{{grey(2.0f), wi_, 1.0f, 0.1f}};
-        const Rgb found = directLight(plan(kind, count), queries, vertex, sampler_, 0u);
-        const float scattering = competingDensity(Strategy::Mis, true, scatterDensity(vertex, wi_, f.pdf));
-        const float hit = misWeight(scattering, static_cast<float>(count) * queries.light.pdf);
+        PathPlan mis = plan(kind, count);
+        mis.targets = &targets;
+        mis.targetWeight = targetWeight;
+        const Rgb found = directLight(mis, queries, vertex, sampler_, 0u);
+        const float aimed = targetWeight * (1.0f - vertex.diracProbability) * kInvFourPi;
+        const float scattering = aimed + (1.0f - targetWeight) * scatterDensity(vertex, wi_, f.pdf);
+        const float hit =
+            misWeight(competingDensity(Strategy::Mis, true, scattering), static_cast<float>(count) * queries.light.pdf);
         EXPECT_NEAR(found.g / (2.0f * f.value.g) + hit, 1.0f, 1e-6f) << count;
         queries.shadow = true;
-        EXPECT_TRUE(isBlack(directLight(plan(kind, count), queries, vertex, sampler_, 0u)));
+        EXPECT_TRUE(isBlack(directLight(mis, queries, vertex, sampler_, 0u)));
       }
     }
   }

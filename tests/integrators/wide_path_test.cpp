@@ -139,6 +139,21 @@ TEST(WidePath, EqualsWidthOneForEveryStrategy) {
   }
 }
 
+// Spheres, boxes, a mesh and the place where they stand; with lights among them, or sampled besides.
+TEST(WidePath, EqualsWidthOneWithTargets) {
+  SceneDescription room = everythingRoom(), smoke = smokyScene();
+  for (const Id shape : {1u, 2u, 6u, 8u}) room.shapes[shape].target = smoke.shapes[shape].target = true;
+  const Scene withTargets(room, kFlat), inSmoke(smoke, kFlat), moving(test::movingLights());
+  for (const char* integrator :
+       {"path", "path:target-weight=0.7:light-samples=2", "path:strategy=mixture", "path:targets=lights,turned",
+        "path:strategy=mixture:targets=lights,turned,disk:target-weight=1"}) {
+    for (const Scene* scene : {&withTargets, &inSmoke}) expectEqualWidths(*scene, integrator, settingsOf(11, 9, 4));
+  }
+  for (const char* integrator : {"path:targets=lights", "path:strategy=mixture"}) {
+    expectEqualWidths(moving, integrator, settingsOf(11, 9, 4));
+  }
+}
+
 TEST(WidePath, EqualsWidthOneForEverySetting) {
   const Scene scene(plainRoom(), kFlat);
   for (const char* integrator :

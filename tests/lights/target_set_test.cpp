@@ -51,6 +51,52 @@ TEST(TargetSet, FlaggedShapesReplaceTheLights) {
   EXPECT_FLOAT_EQ(targets.pdfDirection(kFrom, up), alone(Sphere<float>{{0, 1.5f, 0}, 0.5f}, up));
 }
 
+TEST(TargetSet, LightsAreLeftOutIfTheyAreSampledOtherwise) {
+  SceneDescription scene = sampleScene();
+  constexpr auto butLights = TargetSet::Unnamed::FlaggedButLights;
+  EXPECT_TRUE(TargetSet(scene, {}, butLights).empty());
+  for (ShapeDescription& shape : scene.shapes) shape.target = shape.emission != kNone;
+  EXPECT_TRUE(TargetSet(scene, {}, butLights).empty());
+  scene.shapes[1].target = true;
+  EXPECT_EQ(TargetSet(scene, {}, butLights).size(), 1u);
+  EXPECT_GT(TargetSet(scene).size(), 1u);
+  const std::vector<std::string> names{"lights"};
+  EXPECT_EQ(TargetSet(scene, names, butLights).size(), 2u) << "who names them has them";
+}
+
+TEST(TargetSet, EveryLaneIsThatOfWidthOne) {
+  using F = Lanes<8>;
+  const SceneDescription scene = sampleScene();
+  const std::vector<std::string> one{"glass"}, several{"lights", "glass", "boxes"};
+  for (const auto& names : {one, several}) {
+    const TargetSet targets(scene, names);
+    ScatterPoint<F> from;
+    LightRandom<F> random;
+    Mask<8> active(true);
+    active.set(5, false);
+    for (int i = 0; i < 8; ++i) {
+      const auto x = 0.11f * static_cast<float>(i);
+      setLane(from.position, i, Vec3f{x, 0.3f * x, 0.2f - x});
+      setLane(random.select, i, 0.124f * static_cast<float>(i));
+      setLane(random.position, i, Vec2f{0.9f - 0.1f * x, x});
+    }
+    const DirectionSample<F> samples = targets.sampleDirection(from, random, active);
+    const F densities = targets.pdfDirection(from, samples.wi);
+    EXPECT_EQ(samples.pdf[5], 0.0f);
+    for (const int i : {0, 1, 2, 3, 4, 6, 7}) {
+      ScatterPoint<float> alone;
+      alone.position = lane(from.position, i);
+      const LightRandom<float> numbers{lane(random.select, i), lane(random.position, i)};
+      const DirectionSample<float> expected = targets.sampleDirection(alone, numbers);
+      EXPECT_GT(expected.pdf, 0.0f);
+      EXPECT_EQ(samples.pdf[i], expected.pdf);
+      EXPECT_EQ(samples.wi.x[i], expected.wi.x);
+      EXPECT_EQ(samples.wi.z[i], expected.wi.z);
+      EXPECT_EQ(densities[i], targets.pdfDirection(alone, expected.wi));
+    }
+  }
+}
+
 TEST(TargetSet, NamedObjectsShareEqually) {
   const SceneDescription scene = sampleScene();
   const std::vector<std::string> names{"lights", "glass", "boxes"};
