@@ -379,6 +379,7 @@ Geometry::Geometry(std::shared_ptr<const SceneDescription> scene, GeometrySettin
                           (self.transforms.capacity() + self.inverses.capacity()) * sizeof(Matrix) +
                           self.motions.capacity() * sizeof(MovingTransform);
   for (const auto& group : self.groups) self.statistics.bytes += group->bytes();
+  if (self.flat) self.statistics.bytes += self.flat->bytes();
   self.statistics.buildSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 

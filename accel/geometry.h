@@ -36,7 +36,7 @@ struct GeometryStatistics {
   std::size_t spheres = 0, quads = 0, boxes = 0, disks = 0, triangles = 0, custom = 0;  ///< as described, groups once
   std::size_t instances = 0;
   std::size_t clusters = 0;
-  std::size_t bytes = 0;  ///< clusters and hierarchies; without the description
+  std::size_t bytes = 0;  ///< clusters, hierarchies and records for points; without the description
   double buildSeconds = 0.0;
 
   std::size_t primitives() const { return spheres + quads + boxes + disks + triangles + custom; }

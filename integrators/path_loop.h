@@ -90,6 +90,12 @@ float mixedDensity(const PathPlan& plan, Queries& queries, const Vertex& vertex,
   return plan.targetWeight * targetPdf + (1.0f - plan.targetWeight) * scattered;
 }
 
+/// The number that chose a target at all is uniform below the weight: it chooses which one as well.
+template <class F>
+F targetChoice(F choice, float weight) {
+  return minimum(choice / F(weight), F(kOneMinusEpsilon));
+}
+
 /// One direction from the mixture of targets and scattering, over its marginal density. Dirac lobes come first, with
 /// their own probability; the mixture covers the continuous ones.
 template <class Queries, class Vertex>
@@ -97,11 +103,9 @@ BsdfSample<float> scatterMixture(const PathPlan& plan, Queries& queries, const V
                                  const Sampler<float>& sampler, std::uint32_t bounce) {
   if (random.lobe < vertex.diracProbability) return vertex.bsdf.sample(vertex.wo, random, Transport::Radiance);
   Vec3f wi;
-  if (sampler.get1D(bounce, Purpose::Mixture) < plan.targetWeight) {
-    // Numbers of their own: LightSelect and LightPosition of this bounce belong to the light samples.
-    const std::uint32_t own = bounce + plan.lightSamples * (plan.maxDepth + 1);
-    const LightRandom<float> targetRandom{sampler.get1D(own, Purpose::LightSelect),
-                                          sampler.get2D(own, Purpose::LightPosition)};
+  const float choice = sampler.get1D(bounce, Purpose::Mixture);
+  if (choice < plan.targetWeight) {
+    const LightRandom<float> targetRandom{targetChoice(choice, plan.targetWeight), random.direction};
     const DirectionSample<float> target = queries.sampleTarget(*plan.targets, vertex.point, targetRandom);
     if (!(target.pdf > 0.0f)) return {};
     wi = target.wi;

@@ -292,14 +292,13 @@ BsdfSample<F> PathPacket<F>::scatter(const Vertex& vertex, Mask going) {
 template <class F>
 BsdfSample<F> PathPacket<F>::scatterMixture(const Vertex& vertex, const BsdfRandom<F>& random, Mask going) {
   const Mask mixed = going & !(random.lobe < vertex.diracProbability);
-  const Mask aimed = mixed & (sampler_->get1D(bounce_, Purpose::Mixture) < F(plan_.targetWeight));
+  const F choice = sampler_->get1D(bounce_, Purpose::Mixture);
+  const Mask aimed = mixed & (choice < F(plan_.targetWeight));
   const BsdfSample<F> scattered = sample(vertex, random, going & !aimed);
-  const Uint own = bounce_ + Uint(plan_.lightSamples * (plan_.maxDepth + 1));
   DirectionSample<F> target;
   if (any(aimed)) {
-    const F choice = plan_.targets->size() > 1 ? sampler_->get1D(own, Purpose::LightSelect) : F(0.0f);
-    target =
-        plan_.targets->sampleDirection(vertex.point, {choice, sampler_->get2D(own, Purpose::LightPosition)}, aimed);
+    const LightRandom<F> targetRandom{targetChoice(choice, plan_.targetWeight), random.direction};
+    target = plan_.targets->sampleDirection(vertex.point, targetRandom, aimed);
   }
   const Vec3<F> wi = select(aimed, target.wi, scattered.wi);
   const Mask found = mixed & (select(aimed, target.pdf, scattered.pdf) > F(0.0f));

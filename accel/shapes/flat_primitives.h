@@ -32,6 +32,8 @@ class FlatPrimitives {
   bool few() const { return few_; }
   /// Whether points can have uv: no mesh has uv of its own.
   bool knowsUv() const { return knowsUv_; }
+  /// Memory of the records for points; that of the few for the kernels is small.
+  std::size_t bytes() const { return numbers_.capacity() * sizeof(float) + ids_.capacity() * sizeof(Ids); }
 
   /// Nearest hits; lanes of rays that are not active, or hit nothing, are not valid.
   template <class F>
