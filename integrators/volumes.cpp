@@ -58,6 +58,7 @@ Volumes::Volumes(const SceneDescription& scene) : media_(scene.media), outside_(
                       std::any_of(shape.primitiveMaterials.begin(), shape.primitiveMaterials.end(), isInterface);
     moreThanWall_.push_back(more ? 1u : 0u);
   }
+  moreThanWall_.push_back(0u);  // where there is no shape at all
   needed_ = needed_ || passable_ || outside_ != kNone;
 }
 

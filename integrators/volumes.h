@@ -101,7 +101,7 @@ class Volumes {
   MediumSet media_;
   Id outside_;
   std::vector<Closed> closed_;               ///< per shape
-  std::vector<std::uint32_t> moreThanWall_;  ///< per shape
+  std::vector<std::uint32_t> moreThanWall_;  ///< per shape, and of none
   std::vector<Material> materials_;          ///< per material
   bool needed_ = false, passable_ = false;
 };

@@ -172,6 +172,10 @@ TEST(WidePath, EqualsWidthOneInMedia) {
     expectEqualWidths(Scene(description), "path:light-samples=2", settingsOf(9, 9, 4));
   }
   expectEqualWidths(Scene(fog), "path", settingsOf(9, 9, 4));
+  SceneDescription empty;  // but for the fog
+  empty.outside = empty.addMedium({.name = "fog", .scattering = grey(0.5f)});
+  empty.addLight("bulb", PointLight{{0.0f, 0.0f, -2.0f}, grey(1.0f)});
+  expectEqualWidths(Scene(empty), "path", settingsOf(9, 9, 4));
 }
 
 TEST(WidePath, EqualsWidthOneForEverySamplerFilterAndCrop) {
