@@ -19,7 +19,7 @@ constexpr std::array kPathKeys{
     IntegratorKey{"scatter-pdf", "bsdf", "what proposes scattered directions: bsdf|cosine|hemisphere|sphere"},
     IntegratorKey{"roulette-start", "4", "bounces before paths may be ended by chance"},
     IntegratorKey{"roulette-strength", "0.4", "0: never end them; 1: survival as probable as the path is bright"},
-    IntegratorKey{"target-weight", "0.5; mis: 0.25", "mixture, mis: probability of a target; 1 loses other light"},
+    IntegratorKey{"target-weight", "0.5", "mixture, mis (there 0.25): probability of a target; 1 loses other light"},
     IntegratorKey{"targets", "the scene's", "mixture, mis: names of shapes, or lights; separated by commas"},
     IntegratorKey{"width", "0", "paths traced at once: 1, 4, 8 or 16; 0: as many as pay here"},
 };

@@ -38,8 +38,7 @@ TEST(MakeIntegrator, TheRegistryNamesTheDefaults) {
   std::string spec = "path:strategy=mixture";
   for (const IntegratorKey& key : integratorRegistry().front().keys) {
     const bool ofTheScene = key.defaultValue == "the scene's";
-    const std::string_view ofMixture = key.defaultValue.substr(0, key.defaultValue.find(';'));
-    if (!ofTheScene && key.name != "strategy") spec += fmt::format(":{}={}", key.name, ofMixture);
+    if (!ofTheScene && key.name != "strategy") spec += fmt::format(":{}={}", key.name, key.defaultValue);
   }
   const PathSettings named = pathSettings(spec), expected;
   EXPECT_EQ(named.lightSamples, expected.lightSamples);
