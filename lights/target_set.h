@@ -5,7 +5,6 @@
 #include <string>
 
 #include "steradian/accel/shapes/hittable_pdf.h"
-#include "steradian/accel/shapes/sampled_shape_lanes.h"
 #include "steradian/core/description.h"
 
 namespace steradian {
@@ -48,43 +47,12 @@ class TargetSet {
 template <class F>
 DirectionSample<F> TargetSet::sampleDirection(const ScatterPoint<F>& from, const LightRandom<F>& random,
                                               MaskOf<F> active) const {
-  DirectionSample<F> sample;
-  if (empty()) return sample;
-  UintOf<F> member(0u);
-  if (size() > 1) {
-    for (int i = 0; i < widthOf<F>; ++i)
-      setLane(member, i, static_cast<std::uint32_t>(members_.choose(lane(random.select, i))));
-  }
-  // Member by member of those that were chosen: mostly one, or as many as there are lanes.
-  MaskOf<F> left = active;
-  for (int i = 0; i < widthOf<F>; ++i) {
-    if (!lane(left, i)) continue;
-    const std::uint32_t chosen = lane(member, i);
-    const MaskOf<F> mine = left & (member == UintOf<F>(chosen));
-    const auto one =
-        steradian::sampleDirection<F>(members_.shapes()[chosen], from.position, random.position, from.time, mine);
-    sample.wi = select(mine, one.wi, sample.wi);
-    sample.pdf = select(mine, one.pdf, sample.pdf);
-    left = left & !mine;
-  }
-  const MaskOf<F> found = active & (sample.pdf > F(0.0f));
-  if (size() == 1) {
-    sample.pdf = select(found, sample.pdf, F(0.0f));
-    return sample;
-  }
-  sample.pdf = any(found) ? select(found, pdfDirection(from, sample.wi, found), F(0.0f)) : F(0.0f);
-  return sample;
+  return members_.sampleDirection(from.position, random.select, random.position, from.time, active);
 }
 
 template <class F>
 F TargetSet::pdfDirection(const ScatterPoint<F>& from, Vec3<F> wi, MaskOf<F> active) const {
-  F sum(0.0f);
-  for (std::size_t i = 0; i < size(); ++i) {
-    const float probability = members_.probability(i);
-    if (!(probability > 0.0f)) continue;
-    sum = sum + F(probability) * steradian::pdfDirection<F>(members_.shapes()[i], from.position, wi, from.time, active);
-  }
-  return sum;
+  return members_.pdfDirection(from.position, wi, from.time, active);
 }
 
 }  // namespace steradian

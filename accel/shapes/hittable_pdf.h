@@ -1,12 +1,12 @@
 #pragma once
-/// Directions towards shapes as densities ("The Rest of Your Life", chapters 10 and 12: hittable_pdf). Width 1.
+/// Directions towards shapes as densities ("The Rest of Your Life", chapters 10 and 12: hittable_pdf).
 #include <algorithm>
 #include <cstddef>
 #include <span>
 #include <utility>
 #include <vector>
 
-#include "steradian/accel/shapes/sampled_shape.h"
+#include "steradian/accel/shapes/sampled_shape_lanes.h"
 #include "steradian/core/diagnostics.h"
 #include "steradian/core/direction_pdf.h"
 
@@ -45,11 +45,57 @@ class TargetGroup {
     const auto found = std::upper_bound(cumulative_.begin(), cumulative_.end(), static_cast<double>(choice));
     return static_cast<std::size_t>(found - cumulative_.begin());
   }
+  /// A direction to the shape that `choice` falls on, for several viewers at once, each at a time of its own; without a
+  /// distance, as a direction may meet several members. Lanes that are not active have no sample.
+  template <class F>
+  DirectionSample<F> sampleDirection(Vec3<F> from, F choice, Vec2<F> u, F time,
+                                     MaskOf<F> active = MaskOf<F>(true)) const;
+  /// The density of that, per sr: the marginal one. Of lanes that are not active any.
+  template <class F>
+  F pdfDirection(Vec3<F> from, Vec3<F> wi, F time, MaskOf<F> active = MaskOf<F>(true)) const;
 
  private:
   std::vector<SampledShape> shapes_;
   std::vector<double> cumulative_;  ///< of the probabilities; the last is 1, or all are 0
 };
+
+template <class F>
+DirectionSample<F> TargetGroup::sampleDirection(Vec3<F> from, F choice, Vec2<F> u, F time, MaskOf<F> active) const {
+  DirectionSample<F> sample;
+  if (empty()) return sample;
+  UintOf<F> member(0u);
+  if (shapes_.size() > 1) {
+    for (int i = 0; i < widthOf<F>; ++i) setLane(member, i, static_cast<std::uint32_t>(choose(lane(choice, i))));
+  }
+  // Member by member of those that were chosen: mostly one, or as many as there are lanes.
+  MaskOf<F> left = active;
+  for (int i = 0; i < widthOf<F>; ++i) {
+    if (!lane(left, i)) continue;
+    const std::uint32_t chosen = lane(member, i);
+    const MaskOf<F> mine = left & (member == UintOf<F>(chosen));
+    const auto one = steradian::sampleDirection<F>(shapes_[chosen], from, u, time, mine);
+    sample.wi = select(mine, one.wi, sample.wi);
+    sample.pdf = select(mine, one.pdf, sample.pdf);
+    left = left & !mine;
+  }
+  const MaskOf<F> found = active & (sample.pdf > F(0.0f));
+  if (shapes_.size() == 1) {
+    sample.pdf = select(found, sample.pdf, F(0.0f));
+    return sample;
+  }
+  sample.pdf = any(found) ? select(found, pdfDirection(from, sample.wi, time, found), F(0.0f)) : F(0.0f);
+  return sample;
+}
+
+template <class F>
+F TargetGroup::pdfDirection(Vec3<F> from, Vec3<F> wi, F time, MaskOf<F> active) const {
+  F sum(0.0f);
+  for (std::size_t i = 0; i < shapes_.size(); ++i) {
+    const float share = probability(i);
+    if (share > 0.0f) sum = sum + F(share) * steradian::pdfDirection<F>(shapes_[i], from, wi, time, active);
+  }
+  return sum;
+}
 
 /// The density per sr of the directions from a point to a shape, or to a group of shapes. The density of a group is the
 /// marginal one: the sum over all members of probability times density, hit first or not, occluded or not. It takes
@@ -62,19 +108,12 @@ class HittablePdf {
   /// For a group without a distance: a direction may meet several members.
   DirectionSample<float> sample(float choice, Vec2f u) const {
     if (shape_ != nullptr) return shape_->sampleDirection(from_, u, time_);
-    if (group_->empty()) return {};
-    const auto part = group_->shapes()[group_->choose(choice)].sampleDirection(from_, u, time_);
-    return {part.wi, part.pdf > 0.0f ? pdf(part.wi) : 0.0f};
+    return group_->sampleDirection(from_, choice, u, time_);
   }
 
   float pdf(Vec3f wi) const {
     if (shape_ != nullptr) return shape_->pdfDirection(from_, wi, time_);
-    float sum = 0.0f;
-    for (std::size_t i = 0; i < group_->shapes().size(); ++i) {
-      const float probability = group_->probability(i);
-      if (probability > 0.0f) sum += probability * group_->shapes()[i].pdfDirection(from_, wi, time_);
-    }
-    return sum;
+    return group_->pdfDirection(from_, wi, time_);
   }
 
  private:
