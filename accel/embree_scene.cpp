@@ -54,8 +54,7 @@ void updateHit(const RTCIntersectFunctionNArguments* args, const Nearest& neares
   LeafHit best;
   if (hit.geomID != RTC_INVALID_GEOMETRY_ID) {
     best = {ray.tMax, hit.u, hit.v, hit.geomID, hit.primID, hit.instID[0]};
-    // Equally near hits must come through: tMax is excluded, so take the float after it.
-    ray.tMax = floatOf(bitsOf(ray.tMax) + 1u);
+    ray.tMax = justBeyond(ray.tMax);  // equally near hits must come through
   }
   const LeafHit before = best;
   nearest(ray, args->context->instID[0], best);
@@ -79,19 +78,19 @@ void updateOcclusion(const RTCOccludedFunctionNArguments* args, const Any& any) 
   if (any(fromEmbree(ray))) ray.tfar = -kInfinity;
 }
 
-void boundsOfCluster(const RTCBoundsFunctionArguments* args) {
+void boundsOfClusters(const RTCBoundsFunctionArguments* args) {
   const auto& geometry = *static_cast<const ClusterGeometry*>(args->geometryUserPtr);
-  storeBounds(geometry.clusters->bounds(args->primID), geometry.padding, *args->bounds_o);
+  storeBounds(geometry.clusters->bounds(), geometry.padding, *args->bounds_o);
 }
-void intersectCluster(const RTCIntersectFunctionNArguments* args) {
+void intersectClusters(const RTCIntersectFunctionNArguments* args) {
   const auto& geometry = *static_cast<const ClusterGeometry*>(args->geometryUserPtr);
   updateHit(args, [&](const Ray<float>& ray, std::uint32_t instance, LeafHit& best) {
-    geometry.clusters->nearest(args->primID, ray, instance, best);
+    geometry.clusters->nearest(ray, instance, best);
   });
 }
-void occludedByCluster(const RTCOccludedFunctionNArguments* args) {
+void occludedByClusters(const RTCOccludedFunctionNArguments* args) {
   const auto& geometry = *static_cast<const ClusterGeometry*>(args->geometryUserPtr);
-  updateOcclusion(args, [&](const Ray<float>& ray) { return geometry.clusters->any(args->primID, ray); });
+  updateOcclusion(args, [&](const Ray<float>& ray) { return geometry.clusters->any(ray); });
 }
 
 Ray<float> localRay(const MovingGeometry::Item& item, const Ray<float>& ray) {
@@ -110,7 +109,7 @@ void intersectMoving(const RTCIntersectFunctionNArguments* args) {
     if (item.clusters) return item.clusters->nearest(local, instance, best);
     LeafHit hit = intersect(*item.scene, local);
     hit.instance = instance;
-    if (hit.found() && (hit.t < best.t || (hit.t == best.t && comesFirst(hit, best)))) best = hit;
+    keepFirst(hit, best);
   });
 }
 void occludedByMoving(const RTCOccludedFunctionNArguments* args) {
@@ -184,7 +183,7 @@ Scene::Scene(const Device& device, bool robust) : scene_(rtcNewScene(device.get(
 }
 
 void Scene::attachClusters(const Device& device, const ClusterGeometry& geometry, std::uint32_t id) {
-  attachUser(device, geometry.clusters->size(), &geometry, boundsOfCluster, intersectCluster, occludedByCluster, id);
+  attachUser(device, 1, &geometry, boundsOfClusters, intersectClusters, occludedByClusters, id);
 }
 
 void Scene::attachMoving(const Device& device, const MovingGeometry& geometry, std::uint32_t id) {

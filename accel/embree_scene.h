@@ -34,10 +34,10 @@ class Device {
   std::atomic<std::ptrdiff_t> bytes_{0};
 };
 
-/// What Embree calls back with for a user geometry.
+/// Clusters that Embree calls back for as a whole: they have a hierarchy of their own.
 struct ClusterGeometry {
-  const ClusterSet* clusters;
-  float padding;  ///< bounds are this much wider on every side; scene units
+  const ClusterSet* clusters = nullptr;
+  float padding = 0.0f;  ///< bounds are this much wider on every side; scene units
 };
 
 class Scene;
@@ -48,8 +48,8 @@ struct MovingGeometry {
   struct Item {
     const MovingTransform* localToWorld;
     Bounds3 bounds;              ///< at all times
-    const ClusterSet* clusters;  ///< what is copied, to be met without a hierarchy; or null:
-    const Scene* scene;          ///< ... the hierarchy of it
+    const ClusterSet* clusters;  ///< what is copied, if that is clusters alone; or null:
+    const Scene* scene;          ///< ... the scene of it
     std::uint32_t instance;      ///< of hits; kNone: the one that the copy itself is met in
   };
   std::vector<Item> items;
@@ -64,8 +64,9 @@ class Scene {
   Scene(const Device& device, bool robust);
 
   RTCScene get() const { return scene_.get(); }
-  /// The primitives of `geometry`, as a user geometry of this id. Hits carry the shape as geomID, its primitive as
-  /// primID. `geometry` must outlive the scene.
+  explicit operator bool() const { return scene_ != nullptr; }
+  /// As a user geometry of this id. Hits carry the shape as geomID, its primitive as primID. `geometry` must outlive
+  /// the scene.
   void attachClusters(const Device& device, const ClusterGeometry& geometry, std::uint32_t id);
   /// Items must all be there, and `geometry` outlive the scene.
   void attachMoving(const Device& device, const MovingGeometry& geometry, std::uint32_t id);

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "steradian/accel/embree_scene.h"
+#include "steradian/accel/embree_tree.h"
 #include "steradian/accel/shapes/flat_primitives.h"
 #include "steradian/accel/shapes/shape_at.h"
 #include "steradian/accel/surface_point_of.h"
@@ -14,12 +15,13 @@
 namespace steradian {
 namespace {
 
-/// Clusters, and the Embree scene over them, of the world or of one group.
+/// The world, or one group: clusters with their hierarchy, and an Embree scene where there is more than clusters, or
+/// where Embree places copies.
 struct Hierarchy {
   std::vector<Id> meshes;  ///< shapes that are native triangles
   Bounds3 bounds;          ///< of its own shapes
   ClusterSet clusters;
-  embree::ClusterGeometry forEmbree{};
+  embree::ClusterGeometry forEmbree;
   /// Shapes that move: each has a hierarchy of its own, in the shape's space.
   struct Moving {
     Id shape;
@@ -29,6 +31,8 @@ struct Hierarchy {
   embree::MovingGeometry copies;  ///< what moves through this one
   embree::Scene scene;
 
+  bool isClustersAlone() const { return meshes.empty() && moving.empty(); }
+
   std::size_t bytes() const {
     std::size_t sum = clusters.bytes() + copies.items.capacity() * sizeof(copies.items[0]);
     for (const Moving& m : moving) sum += m.hierarchy->bytes();
@@ -36,14 +40,11 @@ struct Hierarchy {
   }
 };
 
-/// So many clusters are met faster than their bounds (BENCHMARKS.md).
-constexpr std::uint32_t kMeetAll = 3;
-
 /// Of so many primitives points are computed for several rays at once: 80 bytes each.
 constexpr std::size_t kMostFlat = 1u << 16;
 
-/// Embree's non-robust box test, ours of clusters and the kernels differ in rounding; with bounds this much wider it
-/// passes every cluster that may hold a hit, also those exactly as far as the nearest one.
+/// Embree's non-robust box test, ours of nodes and the kernels differ in rounding; with bounds this much wider all that
+/// may hold a hit is passed, also what is exactly as far as the nearest one.
 float paddingFor(float magnitude) { return 4.0f * 0x1p-23f * magnitude; }
 
 Vec3f cameraPosition(const CameraDescription& camera) {
@@ -94,12 +95,12 @@ struct Geometry::Implementation {
   Bounds3 bounds;
   GeometryStatistics statistics;
   Isa isa = Isa::Baseline;
-  std::uint32_t directClusters = 0;
+  std::uint32_t mostWithoutTree = 0;
   bool dependsOnTime = false;
   bool hasNativeTriangles = false;
   // Destroyed in reverse order: scenes before their device.
-  std::unique_ptr<embree::Device> device;  ///< none: the world's clusters are tested one after the other
-  std::optional<FlatPrimitives> flat;      ///< see Geometry::flat
+  std::unique_ptr<embree::Device> device_;  ///< see device(); none if Embree has nothing left to do
+  std::optional<FlatPrimitives> flat;       ///< see Geometry::flat
   std::vector<std::unique_ptr<Hierarchy>> groups;
   Hierarchy world;
 
@@ -138,14 +139,15 @@ struct Geometry::Implementation {
     all.include(cameraPosition(description->camera));
     return all;
   }
-  void buildHierarchies();
-  /// Clusters, meshes and moving shapes; rays come from points whose coordinates are at most `magnitude`.
-  void build(Hierarchy& hierarchy, float magnitude);
-  void commit(Hierarchy& hierarchy);
-  /// So small that what moves is met without its hierarchy.
-  bool isMetDirectly(const Hierarchy& hierarchy) const {
-    return hierarchy.meshes.empty() && hierarchy.moving.empty() && hierarchy.clusters.size() <= directClusters;
+  embree::Device& device() {
+    if (!device_) device_ = std::make_unique<embree::Device>();
+    return *device_;
   }
+  void buildHierarchies();
+  /// What a hierarchy needs before its Embree scene; rays come from points whose coordinates are at most `magnitude`.
+  void build(Hierarchy& hierarchy, float magnitude);
+  /// All but instances; to be committed.
+  void makeScene(Hierarchy& hierarchy, bool withClusters);
   void addCopy(Hierarchy& around, const MovingTransform& motion, const Hierarchy& of, std::uint32_t instance) const;
 };
 
@@ -256,83 +258,81 @@ void Geometry::Implementation::placeInstances() {
 
 void Geometry::Implementation::addCopy(Hierarchy& around, const MovingTransform& motion, const Hierarchy& of,
                                        std::uint32_t instance) const {
-  const bool direct = isMetDirectly(of);
+  const bool alone = of.isClustersAlone();
   around.copies.items.push_back(
-      {&motion, motion.bounds(of.bounds), direct ? &of.clusters : nullptr, direct ? nullptr : &of.scene, instance});
+      {&motion, motion.bounds(of.bounds), alone ? &of.clusters : nullptr, alone ? nullptr : &of.scene, instance});
 }
 
 void Geometry::Implementation::build(Hierarchy& hierarchy, float magnitude) {
   const float padding = paddingFor(magnitude);
-  hierarchy.scene = embree::Scene(*device, !hierarchy.meshes.empty());
-  if (hierarchy.clusters.size() > 0) {
-    hierarchy.forEmbree = {&hierarchy.clusters, padding};
-    hierarchy.scene.attachClusters(*device, hierarchy.forEmbree, clustersId());
-  }
-  for (const Id mesh : hierarchy.meshes) {
-    hierarchy.scene.attachTriangles(*device, std::get<TriangleMesh>(description->shapes[mesh].geometry), mesh);
-  }
+  if (hierarchy.clusters.size() > mostWithoutTree)
+    hierarchy.clusters.setTree(embree::buildTree(device(), hierarchy.clusters.clusterBounds(), padding));
+  hierarchy.clusters.dropBounds();
+  hierarchy.forEmbree = {&hierarchy.clusters, padding};
   hierarchy.copies.padding = padding;
   for (const Hierarchy::Moving& moving : hierarchy.moving) {
     const MovingTransform& motion = *motionOf(motionOfShape, moving.shape);
     Hierarchy& own = *moving.hierarchy;
-    const float ownMagnitude = motion.localMagnitude(magnitude);
-    if (!isMetDirectly(own)) {
-      build(own, ownMagnitude);
-      commit(own);
-    } else if (own.clusters.size() > kMeetAll) {
-      own.clusters.cullByBounds(paddingFor(ownMagnitude));
+    build(own, motion.localMagnitude(magnitude));
+    if (!own.isClustersAlone()) {
+      makeScene(own, true);
+      own.scene.commit();
     }
-    own.clusters.dropBounds();
     addCopy(hierarchy, motion, own, kNone);
   }
 }
 
-void Geometry::Implementation::commit(Hierarchy& hierarchy) {
-  if (!hierarchy.copies.items.empty()) hierarchy.scene.attachMoving(*device, hierarchy.copies, movingId());
-  hierarchy.scene.commit();
+void Geometry::Implementation::makeScene(Hierarchy& hierarchy, bool withClusters) {
+  hierarchy.scene = embree::Scene(device(), !hierarchy.meshes.empty());
+  if (withClusters && hierarchy.clusters.size() > 0)
+    hierarchy.scene.attachClusters(device(), hierarchy.forEmbree, clustersId());
+  for (const Id mesh : hierarchy.meshes)
+    hierarchy.scene.attachTriangles(device(), std::get<TriangleMesh>(description->shapes[mesh].geometry), mesh);
+  if (!hierarchy.copies.items.empty()) hierarchy.scene.attachMoving(device(), hierarchy.copies, movingId());
 }
 
 void Geometry::Implementation::buildHierarchies() {
   const Bounds3 origins = this->origins();
   const float magnitude = origins.magnitude();
-  struct Use {
-    float magnitude = 0.0f;
-    bool moves = false;
-  };
-  std::vector<Use> uses(groups.size());
+  std::vector<float> magnitudes(groups.size(), 0.0f);
   std::uint32_t flatIndex = 0;
   for (const InstanceSet& set : description->instances) {
-    Use& use = uses[set.group];
     for (std::size_t i = 0; i < set.transforms.size(); ++i, ++flatIndex) {
       const MovingTransform* motion = motionOf(motionOfInstance, flatIndex);
       const float inGroup =
           motion ? motion->localMagnitude(magnitude) : transformedBounds(origins, inverses[flatIndex]).magnitude();
-      use.magnitude = maximum(use.magnitude, inGroup);
-      use.moves = use.moves || motion;
+      magnitudes[set.group] = maximum(magnitudes[set.group], inGroup);
     }
   }
   for (std::size_t g = 0; g < groups.size(); ++g) {
     Hierarchy& group = *groups[g];
-    build(group, uses[g].magnitude);
-    commit(group);
-    if (uses[g].moves && isMetDirectly(group) && group.clusters.size() > kMeetAll)
-      group.clusters.cullByBounds(paddingFor(uses[g].magnitude));
-    group.clusters.dropBounds();
+    build(group, magnitudes[g]);
+    makeScene(group, true);
+    group.scene.commit();
   }
   build(world, magnitude);
   flatIndex = 0;
   for (const InstanceSet& set : description->instances) {
-    for (const Matrix& matrix : set.transforms) {
-      const std::uint32_t id = firstInstanceId() + flatIndex;
-      if (const MovingTransform* motion = motionOf(motionOfInstance, flatIndex++)) {
-        addCopy(world, *motion, *groups[set.group], id);
-      } else {
-        world.scene.attachInstance(*device, groups[set.group]->scene, matrix, id);
-      }
+    for (std::size_t i = 0; i < set.transforms.size(); ++i, ++flatIndex) {
+      const MovingTransform* motion = motionOf(motionOfInstance, flatIndex);
+      if (motion) addCopy(world, *motion, *groups[set.group], firstInstanceId() + flatIndex);
     }
   }
-  commit(world);
-  device->check();
+  if (!world.isClustersAlone() || !transforms.empty()) {
+    makeScene(world, false);
+    flatIndex = 0;
+    for (const InstanceSet& set : description->instances) {
+      for (const Matrix& matrix : set.transforms) {
+        const std::uint32_t index = flatIndex++;
+        if (!motionOf(motionOfInstance, index))
+          world.scene.attachInstance(device(), groups[set.group]->scene, matrix, firstInstanceId() + index);
+      }
+    }
+    world.scene.commit();
+  }
+  if (!device_) return;
+  device_->check();
+  if (!world.scene && groups.empty()) device_ = nullptr;
 }
 
 std::string_view embreeVersion() { return embree::kVersion; }
@@ -344,7 +344,7 @@ Geometry::Geometry(std::shared_ptr<const SceneDescription> scene, GeometrySettin
   self.description = std::move(scene);
   requireUsable(settings.isa);
   self.isa = settings.isa;
-  self.directClusters = settings.directClusters;
+  self.mostWithoutTree = settings.mostWithoutTree;
   const SceneDescription& description = *self.description;
   self.places.resize(description.shapes.size());
   std::vector<bool> grouped(description.shapes.size(), false);
@@ -364,18 +364,11 @@ Geometry::Geometry(std::shared_ptr<const SceneDescription> scene, GeometrySettin
   }
   self.gather(self.world, placed, clusterMeshes);
   self.placeInstances();
-  const bool direct = self.transforms.empty() && self.isMetDirectly(self.world);
-  if (!direct) {
-    self.device = std::make_unique<embree::Device>();
-    self.buildHierarchies();
-  } else {
-    if (self.world.clusters.size() > kMeetAll) self.world.clusters.cullByBounds(paddingFor(self.origins().magnitude()));
-  }
+  self.buildHierarchies();
   if (self.transforms.empty() && self.motions.empty() && !self.hasNativeTriangles &&
       FlatPrimitives::holds(description, placed) && self.statistics.primitives() <= kMostFlat)
-    self.flat.emplace(description, placed, direct);
-  self.world.clusters.dropBounds();
-  self.statistics.bytes = self.world.bytes() + (self.device ? self.device->bytes() : 0) +
+    self.flat.emplace(description, placed, self.mostWithoutTree > 0);
+  self.statistics.bytes = self.world.bytes() + (self.device_ ? self.device_->bytes() : 0) +
                           (self.transforms.capacity() + self.inverses.capacity()) * sizeof(Matrix) +
                           self.motions.capacity() * sizeof(MovingTransform);
   for (const auto& group : self.groups) self.statistics.bytes += group->bytes();
@@ -390,11 +383,13 @@ Geometry& Geometry::operator=(Geometry&&) noexcept = default;
 Hit<float> Geometry::intersectUsable(const Ray<float>& ray) const {
   const Implementation& self = *implementation_;
   LeafHit best;
-  if (self.device) {
-    best = embree::intersect(self.world.scene, self.forEmbree(ray));
-    if (best.instance != kNone) best.instance -= self.firstInstanceId();
-  } else {
-    self.world.clusters.nearest(ray, kNone, best);
+  self.world.clusters.nearest(ray, kNone, best);
+  if (self.world.scene) {
+    Ray<float> toBest = self.forEmbree(ray);
+    if (best.found()) toBest.tMax = justBeyond(best.t);
+    LeafHit other = embree::intersect(self.world.scene, toBest);
+    if (other.instance != kNone) other.instance -= self.firstInstanceId();
+    keepFirst(other, best);
   }
   if (!best.found()) return {};
   return {true, best.t, best.u, best.v, best.shape, best.primitive, best.instance};
@@ -402,7 +397,7 @@ Hit<float> Geometry::intersectUsable(const Ray<float>& ray) const {
 
 bool Geometry::occludedUsable(const Ray<float>& ray) const {
   const Implementation& self = *implementation_;
-  return self.device ? embree::occluded(self.world.scene, self.forEmbree(ray)) : self.world.clusters.any(ray);
+  return self.world.clusters.any(ray) || (self.world.scene && embree::occluded(self.world.scene, self.forEmbree(ray)));
 }
 
 SurfacePoint<float> Geometry::surfacePoint(const Ray<float>& ray, const Hit<float>& hit) const {

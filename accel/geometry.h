@@ -20,11 +20,9 @@ class FlatPrimitives;
 std::string_view embreeVersion();
 
 struct GeometrySettings {
-  /// Scenes of at most this many clusters (and no instances, native triangles or shapes with a motion) do without
-  /// Embree's hierarchy: a ray meets the bounds of 16 clusters at once, and bounds of those bounds before, and then the
-  /// clusters that it may hit. So do shapes and groups that move, within the hierarchy that they move through. Faster
-  /// up to there (BENCHMARKS.md). Hits are the same either way.
-  std::uint32_t directClusters = 256;
+  /// So few clusters are met one after the other, without a hierarchy: faster up to there (BENCHMARKS.md). With 0 all
+  /// have a hierarchy, and a few primitives are not met with all lanes either. Hits are the same either way.
+  std::uint32_t mostWithoutTree = 3;
   /// Meshes join the clusters if a scene has at most this many triangles in all: one hierarchy in place of two.
   /// Otherwise Embree keeps them, which is a tenth faster for twice the memory.
   std::size_t clusteredTriangles = 256;

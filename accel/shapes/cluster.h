@@ -1,5 +1,5 @@
 #pragma once
-/// Clusters: up to 16 primitives of one kind, laid out for one ray against all of them.
+/// Clusters: up to 8 primitives of one kind, laid out for one ray against all of them.
 ///
 /// A cluster is the leaf of our hierarchies. Its lanes are ordered by (shape, primitive), so that the lowest lane among
 /// equally near hits is the one that wins; unused lanes hold NaN, which is never hit.
@@ -20,7 +20,9 @@
 
 namespace steradian {
 
-inline constexpr int kClusterSize = 16;
+inline constexpr int kClusterSize = 8;
+/// Primitives of a cluster that one ray meets at once.
+using LeafLanes = Lanes<std::min(kNativeWidth, kClusterSize)>;
 
 /// The nearest hit so far of one ray, and who it is.
 struct LeafHit {
@@ -245,12 +247,21 @@ inline bool comesFirst(const LeafHit& a, const LeafHit& b) {
   return a.primitive != b.primitive ? a.primitive < b.primitive : a.instance < b.instance;
 }
 
+/// Updates `best` if the candidate is a hit and nearer, or equally near and comes first.
+inline void keepFirst(const LeafHit& candidate, LeafHit& best) {
+  if (candidate.found() && (candidate.t < best.t || (candidate.t == best.t && comesFirst(candidate, best))))
+    best = candidate;
+}
+/// The tMax with which a query still finds hits at t, which is > 0.
+inline float justBeyond(float t) { return floatOf(bitsOf(t) + 1u); }
+
 /// Updates `best` if the cluster has a nearer hit, or an equally near one of smaller id. `instance` is the one that the
 /// cluster is met in, or kNone. The kernel keeps to ray.tMax, not to best.t: kernels that follow one another then do
 /// not wait for each other's result, which is worth 10 to 40 %.
 template <class Leaf, class F>
 void meetNearest(const Cluster<Leaf>& cluster, const Ray<F>& ray, std::uint32_t instance, LeafHit& best) {
   constexpr int width = widthOf<F>;
+  static_assert(width <= kClusterSize);
   for (int first = 0; first < kClusterSize; first += width) {
     if (cluster.shape[first] == kNone) break;
     const ShapeHit<F> hit = Leaf::meet(cluster.row, first, ray);
@@ -277,6 +288,7 @@ void meetNearest(const Cluster<Leaf>& cluster, const Ray<F>& ray, std::uint32_t 
 /// Is anything hit at all?
 template <class Leaf, class F>
 bool meetAny(const Cluster<Leaf>& cluster, const Ray<F>& ray) {
+  static_assert(widthOf<F> <= kClusterSize);
   MaskOf<F> hit(false);
   for (int i = 0; i < kClusterSize; i += widthOf<F>) {
     if (cluster.shape[i] == kNone) break;

@@ -5,6 +5,7 @@
 #include <tbb/parallel_invoke.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
 
@@ -22,33 +23,124 @@ void forEachInParallel(std::size_t count, const Body& body) {
   });
 }
 
-float Vec3f::*longestAxis(std::span<const ClusterItem> items) {
-  Bounds3 bounds;
-  for (const ClusterItem& item : items) bounds.include(item.center);
-  const Vec3f extent = bounds.extent();
-  if (extent.x >= extent.y && extent.x >= extent.z) return &Vec3f::x;
-  return extent.y >= extent.z ? &Vec3f::y : &Vec3f::z;
-}
+float extentOf(const ClusterItem& item) { return maxComponent(item.bounds.extent()); }
 
 bool byOrdinal(const ClusterItem& a, const ClusterItem& b) { return a.ordinal < b.ordinal; }
 
-/// Sorts items so that each run of kClusterSize is compact: halves along the longest axis of the centres, cut at
-/// multiples of the cluster size.
-void arrange(std::span<ClusterItem> items) {
-  if (items.size() <= kClusterSize) return;
-  const std::size_t clusters = (items.size() + kClusterSize - 1) / kClusterSize;
-  const std::size_t middle = (clusters + 1) / 2 * kClusterSize;
-  const auto axis = longestAxis(items);
-  const auto before = [axis](const ClusterItem& a, const ClusterItem& b) {
-    return a.center.*axis != b.center.*axis ? a.center.*axis < b.center.*axis : a.ordinal < b.ordinal;
+constexpr std::array<float Vec3f::*, 3> kAxes{&Vec3f::x, &Vec3f::y, &Vec3f::z};
+
+float halfArea(const Bounds3& b) {
+  const Vec3f e = b.extent();
+  return e.x * e.y + e.y * e.z + e.z * e.x;
+}
+
+/// Twice the centre.
+float middleOf(const ClusterItem& item, float Vec3f::*axis) { return item.bounds.low.*axis + item.bounds.high.*axis; }
+
+std::size_t clustersOf(std::size_t items) { return (items + kClusterSize - 1) / kClusterSize; }
+
+/// Where to cut items in two: so many before it along an axis.
+struct Cut {
+  float Vec3f::*axis = &Vec3f::x;
+  std::size_t before = 0;
+};
+
+/// By the surface-area heuristic, the best of a few planes along each axis (Wald 2007), over a part of very many items.
+class CutSearch {
+ public:
+  explicit CutSearch(std::span<const ClusterItem> items) : items_(items), step_(1 + items.size() / kMostLookedAt) {
+    Bounds3 middles;
+    forEachLookedAt([&](const ClusterItem& item) { middles.include(item.bounds.low + item.bounds.high); });
+    for (Along& along : axes_) {
+      const auto axis = kAxes[static_cast<std::size_t>(&along - axes_)];
+      const float extent = middles.extent().*axis;
+      along.low = middles.low.*axis;
+      along.scale = extent > 0.0f ? static_cast<float>(kBins) / extent : 0.0f;
+    }
+    forEachLookedAt([&](const ClusterItem& item) {
+      for (std::size_t a = 0; a < kAxes.size(); ++a) {
+        Along& along = axes_[a];
+        const float place = (middleOf(item, kAxes[a]) - along.low) * along.scale;
+        Bin& bin = along.bins[std::min(kBins - 1, static_cast<std::size_t>(place))];
+        ++bin.count;
+        bin.bounds.include(item.bounds);
+      }
+    });
+  }
+
+  /// The middle of the first axis if all are in one place.
+  Cut best() const {
+    Cut best{kAxes[0], items_.size() / 2};
+    float least = kInfinity;
+    for (std::size_t a = 0; a < kAxes.size(); ++a) {
+      if (axes_[a].scale > 0.0f) search(axes_[a], kAxes[a], best, least);
+    }
+    return best;
+  }
+
+ private:
+  static constexpr std::size_t kBins = 16, kMostLookedAt = 4096;
+  struct Bin {
+    std::size_t count = 0;
+    Bounds3 bounds;
   };
-  std::nth_element(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(middle), items.end(), before);
-  const auto left = items.first(middle), right = items.subspan(middle);
+  struct Along {
+    float low, scale;
+    Bin bins[kBins];
+  };
+
+  template <class Visit>
+  void forEachLookedAt(const Visit& visit) const {
+    for (std::size_t i = 0; i < items_.size(); i += step_) visit(items_[i]);
+  }
+  float costOf(const Bounds3& bounds, std::size_t count) const {
+    return halfArea(bounds) * static_cast<float>(clustersOf(count * step_));
+  }
+  void search(const Along& along, float Vec3f::*axis, Cut& best, float& least) const {
+    float above[kBins];
+    Bin rest;
+    const auto add = [](Bin& to, const Bin& bin) {
+      to.count += bin.count;
+      to.bounds.include(bin.bounds);
+    };
+    for (std::size_t i = kBins; i-- > 1;) {
+      add(rest, along.bins[i]);
+      above[i] = rest.count == 0 ? kInfinity : costOf(rest.bounds, rest.count);
+    }
+    Bin below;
+    for (std::size_t i = 1; i < kBins; ++i) {
+      add(below, along.bins[i - 1]);
+      const float cost = costOf(below.bounds, below.count) + above[i];
+      if (cost < least) {
+        least = cost;
+        best = {axis, below.count * step_};
+      }
+    }
+  }
+
+  std::span<const ClusterItem> items_;
+  std::size_t step_;
+  Along axes_[3];
+};
+
+/// Sorts items so that each run of kClusterSize is compact. After so many searches, which may have parted little from
+/// much each time, it cuts in the middle.
+void arrange(std::span<ClusterItem> items, int searches = 64) {
+  if (items.size() <= kClusterSize) return;
+  const Cut cut = searches > 0 ? CutSearch(items).best() : Cut{kAxes[0], items.size() / 2};
+  const std::size_t nearby = (cut.before + kClusterSize / 2) / kClusterSize;
+  const std::size_t before = std::clamp<std::size_t>(nearby, 1, clustersOf(items.size()) - 1) * kClusterSize;
+  const auto isBefore = [axis = cut.axis](const ClusterItem& a, const ClusterItem& b) {
+    const float x = middleOf(a, axis), y = middleOf(b, axis);
+    return x != y ? x < y : a.ordinal < b.ordinal;
+  };
+  std::nth_element(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(before), items.end(), isBefore);
+  const auto left = items.first(before), right = items.subspan(before);
   if (items.size() > kGrain) {
-    tbb::parallel_invoke([&] { arrange(left); }, [&] { arrange(right); });
+    tbb::parallel_invoke([&] { arrange(left, searches - 1); }, [&] { arrange(right, searches - 1); });
   } else {
-    arrange(left);
-    arrange(right);
+    arrange(left, searches - 1);
+    arrange(right, searches - 1);
   }
 }
 
@@ -60,12 +152,12 @@ class SizeClasses {
     constexpr std::size_t kSample = 1024;
     const std::size_t step = (items.size() + kSample - 1) / kSample;
     std::vector<float> sample;
-    for (std::size_t i = 0; i < items.size(); i += step) sample.push_back(items[i].extent);
+    for (std::size_t i = 0; i < items.size(); i += step) sample.push_back(extentOf(items[i]));
     const auto middle = sample.begin() + static_cast<std::ptrdiff_t>(sample.size() / 2);
     std::nth_element(sample.begin(), middle, sample.end());
     median_ = exponent(*middle);
   }
-  int operator()(const ClusterItem& item) const { return (exponent(item.extent) - median_ + 5 * 64 + 2) / 5 - 64; }
+  int operator()(const ClusterItem& item) const { return (exponent(extentOf(item)) - median_ + 5 * 64 + 2) / 5 - 64; }
 
  private:
   static int exponent(float extent) { return extent > 0.0f ? std::ilogb(extent) : -149; }
@@ -75,19 +167,15 @@ class SizeClasses {
 /// Moves the giants of one cluster to its end and returns how many there are.
 std::uint32_t separateGiants(std::span<ClusterItem> cluster) {
   const auto smaller = [](const ClusterItem& a, const ClusterItem& b) {
-    return a.extent != b.extent ? a.extent < b.extent : a.ordinal < b.ordinal;
+    const float x = extentOf(a), y = extentOf(b);
+    return x != y ? x < y : a.ordinal < b.ordinal;
   };
   std::sort(cluster.begin(), cluster.end(), smaller);
   Bounds3 together;
-  const auto include = [&](const ClusterItem& item) {
-    const float r = 0.5f * item.extent;
-    together.include(item.center - Vec3f{r, r, r});
-    together.include(item.center + Vec3f{r, r, r});
-  };
   std::size_t regular = 1;
-  include(cluster.front());
-  while (regular < cluster.size() && cluster[regular].extent <= 4.0f * maxComponent(together.extent())) {
-    include(cluster[regular++]);
+  together.include(cluster.front().bounds);
+  while (regular < cluster.size() && extentOf(cluster[regular]) <= 4.0f * maxComponent(together.extent())) {
+    together.include(cluster[regular++].bounds);
   }
   std::sort(cluster.begin(), cluster.begin() + static_cast<std::ptrdiff_t>(regular), byOrdinal);
   return static_cast<std::uint32_t>(cluster.size() - regular);
@@ -97,7 +185,7 @@ std::uint32_t separateGiants(std::span<ClusterItem> cluster) {
 void appendRanges(ClusterPartition& partition, std::uint32_t begin, std::uint32_t end) {
   const std::span<ClusterItem> items = std::span(partition.items).subspan(begin, end - begin);
   arrange(items);
-  const std::size_t clusters = (items.size() + kClusterSize - 1) / kClusterSize;
+  const std::size_t clusters = clustersOf(items.size());
   std::vector<std::uint32_t> giants(clusters);
   const auto sizeOf = [&](std::size_t c) {
     return std::min<std::size_t>(kClusterSize, items.size() - c * kClusterSize);
@@ -120,8 +208,7 @@ ClusterPartition partitionIntoClusters(std::uint32_t count, const std::function<
   partition.items.resize(count);
   forEachInParallel(count, [&](std::size_t i) {
     const auto ordinal = static_cast<std::uint32_t>(i);
-    const Bounds3 bounds = boundsOf(ordinal);
-    partition.items[i] = {bounds.center(), maxComponent(bounds.extent()), ordinal};
+    partition.items[i] = {boundsOf(ordinal), ordinal};
   });
   if (count <= kClusterSize) {
     partition.ranges.push_back({0, count});

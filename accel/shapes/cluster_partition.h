@@ -9,8 +9,7 @@
 namespace steradian {
 
 struct ClusterItem {
-  Vec3f center;           ///< of the primitive's bounds
-  float extent;           ///< longest edge of them
+  Bounds3 bounds;         ///< of the primitive
   std::uint32_t ordinal;  ///< the caller's number of the primitive
 };
 

@@ -216,48 +216,13 @@ LeafShape ClusterSet::leafShape(std::uint32_t place) const {
   return shape;
 }
 
-namespace {
-
-/// So many blocks of bounds are met faster than their own bounds (BENCHMARKS.md).
-constexpr std::size_t kMostBlocksInARow = 2;
-
-/// Bounds in blocks.
-std::vector<Clusters::BoundsBlock> blocksOf(std::span<const Bounds3> all, float padding) {
-  constexpr std::size_t perBlock = kClusterSize;
-  std::vector<Clusters::BoundsBlock> blocks((all.size() + perBlock - 1) / perBlock);
-  for (std::size_t i = 0; i < blocks.size() * perBlock; ++i) {
-    auto& side = blocks[i / perBlock].side;
-    const std::size_t place = i % perBlock;
-    const Bounds3 bounds = i < all.size() ? all[i] : Bounds3{};
-    const Vec3f low = bounds.low, high = bounds.high;
-    side[0][0][place] = low.x - padding;
-    side[0][1][place] = low.y - padding;
-    side[0][2][place] = low.z - padding;
-    side[1][0][place] = high.x + padding;
-    side[1][1][place] = high.y + padding;
-    side[1][2][place] = high.z + padding;
-  }
-  return blocks;
-}
-
-}  // namespace
-
-void ClusterSet::cullByBounds(float padding) {
-  clusters_.bounds = blocksOf(bounds_, padding);
-  if (clusters_.bounds.size() <= kMostBlocksInARow) return;
-  std::vector<Bounds3> ofBlocks(clusters_.bounds.size());
-  for (std::size_t i = 0; i < bounds_.size(); ++i) ofBlocks[i / kClusterSize].include(bounds_[i]);
-  clusters_.boundsOfBlocks = blocksOf(ofBlocks, padding);
-}
-
 std::size_t ClusterSet::bytes() const {
   const std::size_t clusters =
       std::apply([](const auto&... kind) { return ((kind.capacity() * sizeof(kind[0])) + ... + 0u); }, clusters_.kinds);
   std::size_t places = 0;
   for (const Places& p : places_) places += p.places.capacity() * sizeof(p.places[0]);
   return clusters + places + clusters_.custom.capacity() * sizeof(Clusters::Custom) +
-         (clusters_.bounds.capacity() + clusters_.boundsOfBlocks.capacity()) * sizeof(Clusters::BoundsBlock) +
-         bounds_.capacity() * sizeof(Bounds3);
+         clusters_.tree.nodes.capacity() * sizeof(ClusterTree::Node) + bounds_.capacity() * sizeof(Bounds3);
 }
 
 }  // namespace steradian

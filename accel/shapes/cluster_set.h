@@ -23,13 +23,12 @@ class ClusterSet {
 
   /// Number of clusters; those below are 0 to size()-1.
   std::uint32_t size() const { return clusters_.end.back(); }
-  /// Bounds of one cluster, until dropBounds().
-  const Bounds3& bounds(std::uint32_t cluster) const { return bounds_[cluster]; }
+  /// Bounds of the clusters, until dropBounds().
+  std::span<const Bounds3> clusterBounds() const { return bounds_; }
   /// Bounds of everything.
   const Bounds3& bounds() const { return total_; }
-  /// From now on queries of all clusters leave out those whose bounds, this much wider, the ray misses: without a
-  /// hierarchy, but 4, 8 or 16 bounds at once. `padding`, in scene units, covers rounding. Needs bounds(i).
-  void cullByBounds(float padding);
+  /// From now on queries go through this hierarchy over clusterBounds(), wide enough for rounding.
+  void setTree(ClusterTree tree) { clusters_.tree = std::move(tree); }
   /// Frees the bounds of clusters, once a hierarchy has been built over them.
   void dropBounds() { bounds_ = {}; }
   /// Memory that the set holds.
@@ -40,17 +39,13 @@ class ClusterSet {
   const std::uint32_t* placesOf(Id shape) const;
   LeafShape leafShape(std::uint32_t place) const;
 
-  /// Nearest hit with tMin < t < tMax among the primitives of one cluster or of all: updates `best` where it is nearer,
-  /// or equally near with a smaller id. `instance`: the one met in, or kNone.
-  void nearest(std::uint32_t cluster, const Ray<float>& ray, std::uint32_t instance, LeafHit& best) const {
-    kernels_->nearestInOne(clusters_, cluster, ray, instance, best);
-  }
+  /// Nearest hit with tMin < t < tMax: updates `best` where it is nearer, or equally near with a smaller id.
+  /// `instance`: the one met in, or kNone.
   void nearest(const Ray<float>& ray, std::uint32_t instance, LeafHit& best) const {
-    kernels_->nearestInAll(clusters_, ray, instance, best);
+    kernels_->nearest(clusters_, ray, instance, best);
   }
   /// Is anything hit between tMin and tMax?
-  bool any(std::uint32_t cluster, const Ray<float>& ray) const { return kernels_->anyInOne(clusters_, cluster, ray); }
-  bool any(const Ray<float>& ray) const { return kernels_->anyInAll(clusters_, ray); }
+  bool any(const Ray<float>& ray) const { return kernels_->any(clusters_, ray); }
 
  private:
   struct Places {

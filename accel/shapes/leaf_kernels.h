@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "steradian/accel/shapes/cluster.h"
+#include "steradian/accel/shapes/cluster_tree.h"
 #include "steradian/core/custom_shape.h"
 #include "steradian/core/isa.h"
 
@@ -26,14 +27,7 @@ struct Clusters {
   std::vector<Custom> custom;
   std::array<std::uint32_t, 9> end{};  ///< one past the last cluster of each kind, in order; custom shapes last
 
-  /// Bounds of 16 clusters side by side; where there is none, what no ray meets.
-  struct alignas(64) BoundsBlock {
-    float side[2][3][kClusterSize];  ///< low and high, by axis
-  };
-  std::vector<BoundsBlock> bounds;  ///< of all clusters, for queries of all that leave out what a ray misses; or none
-  /// Of all that is in each block of `bounds`, if there are more than a few: clusters near one another in number are
-  /// so in space.
-  std::vector<BoundsBlock> boundsOfBlocks;
+  ClusterTree tree;  ///< over all clusters; empty: a ray meets one after the other
 
   /// Calls visit(cluster) for the cluster of this number; false if it is a custom shape.
   template <class Visit>
@@ -57,11 +51,8 @@ struct Clusters {
 
 /// See ClusterSet for what they do.
 struct LeafKernels {
-  void (*nearestInOne)(const Clusters&, std::uint32_t cluster, const Ray<float>&, std::uint32_t instance,
-                       LeafHit& best);
-  void (*nearestInAll)(const Clusters&, const Ray<float>&, std::uint32_t instance, LeafHit& best);
-  bool (*anyInOne)(const Clusters&, std::uint32_t cluster, const Ray<float>&);
-  bool (*anyInAll)(const Clusters&, const Ray<float>&);
+  void (*nearest)(const Clusters&, const Ray<float>&, std::uint32_t instance, LeafHit& best);
+  bool (*any)(const Clusters&, const Ray<float>&);
 };
 
 /// `isa` must be usable.

@@ -84,17 +84,17 @@ void measureLayout(benchmark::State& state, std::uint32_t clusters, bool hierarc
   for (std::uint32_t i = 0; i < 4096; ++i) {
     rays.push_back({point(i, 4), UniformSphere<float>::sample({number(i, 7), number(i, 8)})});
   }
-  const Geometry geometry(scene, {.directClusters = hierarchy ? 0 : clusters});
+  const Geometry geometry(scene, {.mostWithoutTree = hierarchy ? 0 : clusters});
   measureRays(state, rays.size(), [&](std::size_t i) { return geometry.intersect(rays[i]); });
 }
 
 }  // namespace
 
 void registerQueryBenchmarks() {
-  for (const std::uint32_t clusters : {3u, 4u, 16u, 32u, 64u, 128u, 256u}) {
+  for (const std::uint32_t clusters : {1u, 2u, 3u, 4u, 6u, 8u, 12u}) {
     for (const bool hierarchy : {false, true}) {
       benchmark::RegisterBenchmark(
-          fmt::format("layout/{}-clusters/{}", clusters, hierarchy ? "hierarchy" : "bounds").c_str(),
+          fmt::format("layout/{}-clusters/{}", clusters, hierarchy ? "hierarchy" : "all").c_str(),
           [clusters, hierarchy](benchmark::State& state) { measureLayout(state, clusters, hierarchy); });
     }
   }

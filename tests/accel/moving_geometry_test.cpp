@@ -194,7 +194,7 @@ TEST(MovingGeometry, IsTheStillSceneOfEachTime) {
     scene.instances.push_back({group, {randomKey(random, 3.0f)}, {randomKey(random, 3.0f)}, {}});
   }
   for (const std::size_t clustered : {std::size_t{0}, std::size_t{100000}}) {
-    const GeometrySettings settings{.directClusters = clustered == 0 ? 0u : 64u, .clusteredTriangles = clustered};
+    const GeometrySettings settings{.mostWithoutTree = clustered == 0 ? 0u : 64u, .clusteredTriangles = clustered};
     const Geometry moving(std::make_shared<SceneDescription>(scene), settings);
     int hits = 0, differ = 0;
     for (const float time : {0.0f, 0.3f, 0.77f, kOneMinusEpsilon}) {
@@ -325,7 +325,7 @@ TEST_P(LeavingRaysInMotion, DoNotMeetTheSurfaceTheyLeave) {
       const SceneDescription moving = movingShape(kind, round % 3, random, place, size);
       const float time = random.uniform(0.0f, kOneMinusEpsilon);
       const Geometry geometry(std::make_shared<SceneDescription>(moving),
-                              {.directClusters = round % 2 ? 0u : 64u, .clusteredTriangles = round % 4 ? 100u : 0u});
+                              {.mostWithoutTree = round % 2 ? 0u : 64u, .clusteredTriangles = round % 4 ? 100u : 0u});
       // Where it is then.
       const Geometry still(std::make_shared<SceneDescription>(frozen(moving, time)));
       leaveBy(geometry, isClosed(kind), random, size, leaks, time, still.bounds());

@@ -9,9 +9,9 @@ namespace steradian::test {
 inline constexpr std::uint32_t kAlways = 0xffffffffu;
 
 /// A loop over everything, without a hierarchy.
-inline GeometrySettings direct() { return {.directClusters = kAlways, .clusteredTriangles = kAlways}; }
+inline GeometrySettings direct() { return {.mostWithoutTree = kAlways, .clusteredTriangles = kAlways}; }
 /// A hierarchy over anything.
-inline GeometrySettings hierarchy() { return {.directClusters = 0, .clusteredTriangles = kAlways}; }
+inline GeometrySettings hierarchy() { return {.mostWithoutTree = 0, .clusteredTriangles = kAlways}; }
 
 /// To the bit.
 inline void expectSame(const Hit<float>& a, const Hit<float>& b) {

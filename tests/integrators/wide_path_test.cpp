@@ -69,7 +69,7 @@ SceneDescription texturedRoom(bool picture) {
 }
 
 /// However many clusters there are, without a hierarchy.
-const SceneSettings kFlat{.geometry = {.directClusters = 64}, .lights = {}};
+const SceneSettings kFlat{.geometry = {.mostWithoutTree = 64}, .lights = {}};
 
 /// Under the sky, with a distant light: paths leave the scene.
 SceneDescription openScene() {
@@ -191,10 +191,10 @@ TEST(WidePath, EqualsWidthOneForEverySamplerFilterAndCrop) {
   }
 }
 
-TEST(WidePath, EqualsWidthOneByBoundsAndByAHierarchy) {
+TEST(WidePath, EqualsWidthOneWithAndWithoutAHierarchy) {
   for (const char* name : {"one-weekend", "cornell-city:200", "cornell-tower:3", "simple-light", "earth"}) {
-    for (const std::uint32_t directClusters : {64u, 0u}) {
-      const Scene scene(makeScene(name), {.geometry = {.directClusters = directClusters}, .lights = {}});
+    for (const std::uint32_t mostWithoutTree : {64u, 0u}) {
+      const Scene scene(makeScene(name), {.geometry = {.mostWithoutTree = mostWithoutTree}, .lights = {}});
       expectEqualWidths(scene, "path", settingsOf(16, 9, 3));
     }
   }
@@ -204,15 +204,16 @@ TEST(WidePath, EqualsWidthOneByBoundsAndByAHierarchy) {
 TEST(WidePath, EqualsWidthOneInMotion) {
   const Scene flat(test::flyingSphere(), kFlat), lights(test::movingLights()), all(test::everythingMoves());
   ASSERT_NE(flat.geometry().flat(), nullptr);
-  const Scene deep(test::everythingMoves(), {.geometry = {.directClusters = 0}, .lights = {}});
+  const Scene deep(test::everythingMoves(), {.geometry = {.mostWithoutTree = 0}, .lights = {}});
   for (const char* strategy : {"bsdf", "light", "mis", "mixture"}) {
     const std::string integrator = std::string("path:strategy=") + strategy;
     for (const Scene* scene : {&flat, &lights, &all, &deep}) {
       expectEqualWidths(*scene, integrator, settingsOf(13, 11, 8));
     }
   }
-  for (const std::uint32_t directClusters : {64u, 0u}) {
-    const Scene spheres(makeScene("bouncing-spheres"), {.geometry = {.directClusters = directClusters}, .lights = {}});
+  for (const std::uint32_t mostWithoutTree : {64u, 0u}) {
+    const Scene spheres(makeScene("bouncing-spheres"),
+                        {.geometry = {.mostWithoutTree = mostWithoutTree}, .lights = {}});
     expectEqualWidths(spheres, "path", settingsOf(16, 9, 3));
   }
   expectEqual(renderWith(deep, "path", settingsOf(13, 11, 8)), renderWith(all, "path", settingsOf(13, 11, 8)),
@@ -242,7 +243,7 @@ TEST(WidePath, IsTheSameForEveryInstructionSet) {
   };
   for (const int which : {0, 1, 2, 3, 4, 5, 6}) {
     const auto rendered = [&](Isa isa, const char* width) {
-      const SceneSettings settings{.geometry = {.directClusters = which == 0 ? 64u : 4u, .isa = isa}, .lights = {}};
+      const SceneSettings settings{.geometry = {.mostWithoutTree = which == 0 ? 64u : 4u, .isa = isa}, .lights = {}};
       return renderWith(Scene(scene(which), settings), std::string("path:width=") + width, settingsOf(13, 11, 4));
     };
     const Rendered baseline = rendered(Isa::Baseline, "1");

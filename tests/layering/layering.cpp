@@ -120,8 +120,9 @@ class Inspector {
   void inspectOurs(const std::string& target, bool quoted) {
     if (!quoted) violation("<steradian/" + target + ">: our own includes stand in quotes");
     if (!fs::exists(root_ / target)) violation(target + " does not exist");
-    if (target.starts_with("accel/embree_") && !isEmbreeFile() && !(path_.starts_with("accel/") && !isHeader()))
-      violation("only sources of accel may include " + target);
+    const bool isOfAccel = path_.starts_with("accel/") || path_.starts_with("tests/accel/");
+    if (target.starts_with("accel/embree_") && !isEmbreeFile() && (!isOfAccel || isHeader()))
+      violation("only sources of accel and its tests may include " + target);
     const Room* from = roomOf(path_);
     const Room* to = roomOf(target);
     if (to == nullptr) {

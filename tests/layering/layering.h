@@ -18,7 +18,8 @@ struct Findings {
 /// reports what breaks the rules of the house:
 /// - a room includes only the rooms that it may know, and nothing includes tests;
 /// - our includes are written "steradian/room/file.h" and exist;
-/// - only accel/embree_* knows Embree, and only sources of accel know accel/embree_*, which is not installed;
+/// - only accel/embree_* knows Embree, and only sources of accel and its tests know accel/embree_*, which is not
+///   installed;
 /// - only core/lanes* knows SIMD types and intrinsics;
 /// - public headers keep private what users need not have: OpenImageIO, OpenColorIO, fmt, Embree;
 /// - headers start with #pragma once, and no file is longer than 450 lines.

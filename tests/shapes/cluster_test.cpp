@@ -51,7 +51,6 @@ void expectClusterIsLoop(unsigned seed, int count, const Make& make) {
     const LeafHit expected = oneByOne(shapes, ray);
     ASSERT_NO_FATAL_FAILURE(expectMeets<Lanes<4>>(cluster, ray, expected));
     ASSERT_NO_FATAL_FAILURE(expectMeets<Lanes<8>>(cluster, ray, expected));
-    ASSERT_NO_FATAL_FAILURE(expectMeets<Lanes<16>>(cluster, ray, expected));
     hits += expected.found();
   }
   EXPECT_GT(hits, 5);
@@ -70,7 +69,7 @@ AlignedQuad randomAlignedQuad(Random& random) {
 }
 
 TEST(Cluster, IsALoopOverItsPrimitives) {
-  for (const int count : {1, 3, 8, 9, 16}) {
+  for (const int count : {1, 3, 4, 5, 8}) {
     expectClusterIsLoop<SphereLeaf>(1, count, randomSphere);
     expectClusterIsLoop<MovingSphereLeaf>(1, count, randomMovingSphere);
     expectClusterIsLoop<QuadLeaf>(2, count, randomQuad);
@@ -127,10 +126,10 @@ void expectEveryOneOnce(const ClusterPartition& p, std::size_t count) {
 
 TEST(ClusterPartition, HoldsEveryPrimitiveOnceInFullClusters) {
   Random random(3);
-  for (const std::size_t count : {1u, 16u, 17u, 100u, 1000u, 20000u}) {
+  for (const std::size_t count : {1u, 8u, 9u, 100u, 1000u, 20000u}) {
     const ClusterPartition p = partition(randomBounds(random, count, 10.0f, 0.1f));
     expectEveryOneOnce(p, count);
-    EXPECT_EQ(p.ranges.size(), (count + 15) / 16);
+    EXPECT_EQ(p.ranges.size(), (count + 7) / 8);
   }
   EXPECT_TRUE(partition({}).ranges.empty());
 }
@@ -163,7 +162,7 @@ TEST(ClusterPartition, GiantsAreAlone) {
       }
     }
   }
-  EXPECT_LE(p.ranges.size(), 34u);
+  EXPECT_LE(p.ranges.size(), 66u);
 }
 
 TEST(ClusterPartition, DoesNotDependOnTheNumberOfThreads) {
@@ -184,7 +183,7 @@ TEST(ClusterPartition, DoesNotDependOnTheNumberOfThreads) {
   }
 }
 
-TEST(ClusterSet, OneClusterAtATimeIsAllAtOnce) {
+TEST(ClusterSet, IsTheSameForEveryInstructionSet) {
   Random random(7);
   SceneDescription scene;
   SphereSet spheres;
@@ -216,79 +215,22 @@ TEST(ClusterSet, OneClusterAtATimeIsAllAtOnce) {
   for (const Isa isa : compiledIsas()) {
     if (isUsable(isa)) sameSets.emplace_back(scene, ids, isa);
   }
-  EXPECT_EQ(set.size(), 14u);
-  EXPECT_GT(set.bytes(), 14u * 16u * 6u * 4u);
+  EXPECT_EQ(set.size(), 26u);
+  EXPECT_GT(set.bytes(), 26u * 8u * 6u * 4u);
   for (int i = 0; i < 500; ++i) {
     const Ray<float> ray = random.rayTowards({0.0f, 0.0f, 0.0f}, 1.0f, 4.0f);
-    LeafHit all, one;
-    set.nearest(ray, kNone, all);
-    bool any = false;
-    // Backwards: the order in which a hierarchy visits them must not matter.
-    for (std::uint32_t c = set.size(); c-- > 0;) {
-      set.nearest(c, ray, kNone, one);
-      any = any || set.any(c, ray);
-    }
-    ASSERT_EQ(all.t, one.t);
-    ASSERT_EQ(all.shape, one.shape);
-    ASSERT_EQ(all.primitive, one.primitive);
-    ASSERT_EQ(any, all.found());
-    ASSERT_EQ(set.any(ray), all.found());
+    LeafHit expected;
+    set.nearest(ray, kNone, expected);
+    ASSERT_EQ(set.any(ray), expected.found());
     for (const ClusterSet& same : sameSets) {
       LeafHit hit;
       same.nearest(ray, kNone, hit);
-      ASSERT_EQ(hit.t, all.t);
-      ASSERT_EQ(hit.u, all.u);
-      ASSERT_EQ(hit.primitive, all.primitive);
-      ASSERT_EQ(same.any(ray), all.found());
-      for (std::uint32_t c = 0; c < set.size(); ++c) ASSERT_EQ(same.any(c, ray), set.any(c, ray));
+      ASSERT_EQ(hit.t, expected.t);
+      ASSERT_EQ(hit.u, expected.u);
+      ASSERT_EQ(hit.primitive, expected.primitive);
+      ASSERT_EQ(same.any(ray), expected.found());
     }
   }
-}
-
-/// `many`: so many that there are bounds of bounds.
-void expectCullingChangesNoHit(int many) {
-  Random random(11);
-  SceneDescription scene;
-  SphereSet balls;
-  balls.add({0.0f, -100.0f, 0.0f}, 99.0f);  // a cluster of its own
-  for (int i = 0; i < 150 * many; ++i) balls.add(random.point(4.0f), random.uniform(0.02f, 0.1f));
-  SphereSet rising;
-  for (int i = 0; i < 50 * many; ++i) {
-    const Vec3f from = random.point(4.0f);
-    rising.addMoving(from, from + random.point(0.5f), random.uniform(0.02f, 0.1f));
-  }
-  BoxSet boxes;
-  for (int i = 0; i < 20 * many; ++i)
-    boxes.addRotatedY(random.point(4.0f), {0.1f, 0.2f, 0.05f}, random.uniform(0.0f, 90.0f));
-  QuadSet walls;
-  for (int i = 0; i < 40; ++i) walls.add(random.point(4.0f), {0.3f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.4f});
-  const std::vector<Id> shapes{scene.addShape("balls", balls, kNone), scene.addShape("boxes", boxes, kNone),
-                               scene.addShape("walls", walls, kNone), scene.addShape("rising", rising, kNone)};
-  const ClusterSet all(scene, shapes);
-  ClusterSet culled(scene, shapes);
-  culled.cullByBounds(1e-5f);
-  EXPECT_GT(culled.bytes(), all.bytes());
-  int hits = 0;
-  for (int i = 0; i < 20000; ++i) {
-    Ray<float> ray = random.rayTowards({0.0f, 0.0f, 0.0f}, 4.0f, 6.0f);
-    if (i % 3 == 0) ray.tMax = random.uniform(0.1f, 8.0f);
-    if (i % 5 == 0) ray.direction.y = 0.0f;
-    ray.time = random.uniform(0.0f, 0.99f);
-    LeafHit expected, hit;
-    all.nearest(ray, kNone, expected);
-    culled.nearest(ray, kNone, hit);
-    ASSERT_EQ(hit.t, expected.t);
-    ASSERT_EQ(hit.shape, expected.shape);
-    ASSERT_EQ(hit.primitive, expected.primitive);
-    ASSERT_EQ(hit.u, expected.u);
-    ASSERT_EQ(culled.any(ray), all.any(ray));
-    hits += hit.found();
-  }
-  EXPECT_GT(hits, 500 * many);
-}
-
-TEST(ClusterSet, CullingByBoundsChangesNoHit) {
-  for (const int many : {1, 2, 10}) expectCullingChangesNoHit(many);
 }
 
 }  // namespace

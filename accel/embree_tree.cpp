@@ -1,0 +1,104 @@
+#include "steradian/accel/embree_tree.h"
+
+#include <memory>
+#include <new>
+
+namespace steradian::embree {
+namespace {
+
+/// What Embree's builder makes: a node, or a leaf, which is a number and no pointer.
+struct Built {
+  RTCBounds bounds[ClusterTree::kWidth];
+  void* child[ClusterTree::kWidth];
+  std::uint32_t count;
+};
+
+void* leafOf(std::uint32_t thing) { return reinterpret_cast<void*>((static_cast<std::uintptr_t>(thing) << 1) | 1u); }
+bool isLeaf(const void* node) { return (reinterpret_cast<std::uintptr_t>(node) & 1u) != 0; }
+std::uint32_t thingOf(const void* leaf) {
+  return static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(leaf) >> 1);
+}
+
+void* createNode(RTCThreadLocalAllocator allocator, unsigned int count, void*) {
+  Built* node = new (rtcThreadLocalAlloc(allocator, sizeof(Built), alignof(Built))) Built;
+  node->count = count;
+  return node;
+}
+void setChildren(void* node, void** children, unsigned int count, void*) {
+  std::copy_n(children, count, static_cast<Built*>(node)->child);
+}
+void setBounds(void* node, const RTCBounds** bounds, unsigned int count, void*) {
+  for (unsigned int i = 0; i < count; ++i) static_cast<Built*>(node)->bounds[i] = *bounds[i];
+}
+void* createLeaf(RTCThreadLocalAllocator, const RTCBuildPrimitive* primitives, std::size_t, void*) {
+  return leafOf(primitives->primID);
+}
+
+ClusterTree::Node emptyNode() {
+  ClusterTree::Node node;
+  for (std::uint32_t i = 0; i < ClusterTree::kWidth; ++i) {
+    for (int axis = 0; axis < 3; ++axis) {
+      node.side[0][axis][i] = kInfinity;
+      node.side[1][axis][i] = -kInfinity;
+    }
+    node.child[i] = ClusterTree::kLeaf;
+  }
+  return node;
+}
+
+/// Appends `from` and all below it; returns its number.
+std::uint32_t append(const Built& from, ClusterTree& tree) {
+  const auto number = static_cast<std::uint32_t>(tree.nodes.size());
+  tree.nodes.push_back(emptyNode());
+  for (std::uint32_t i = 0; i < from.count; ++i) {
+    const RTCBounds& b = from.bounds[i];
+    const float sides[2][3] = {{b.lower_x, b.lower_y, b.lower_z}, {b.upper_x, b.upper_y, b.upper_z}};
+    const std::uint32_t child = isLeaf(from.child[i]) ? thingOf(from.child[i]) | ClusterTree::kLeaf
+                                                      : append(*static_cast<const Built*>(from.child[i]), tree);
+    ClusterTree::Node& node = tree.nodes[number];
+    for (int side = 0; side < 2; ++side)
+      for (int axis = 0; axis < 3; ++axis) node.side[side][axis][i] = sides[side][axis];
+    node.child[i] = child;
+  }
+  return number;
+}
+
+}  // namespace
+
+ClusterTree buildTree(const Device& device, std::span<const Bounds3> bounds, float padding) {
+  if (bounds.size() < 2) return {};
+  std::vector<RTCBuildPrimitive> primitives(bounds.size());
+  for (std::size_t i = 0; i < bounds.size(); ++i) {
+    const Bounds3& b = bounds[i];
+    RTCBuildPrimitive& p = primitives[i];
+    p.lower_x = b.low.x - padding;
+    p.lower_y = b.low.y - padding;
+    p.lower_z = b.low.z - padding;
+    p.geomID = 0;
+    p.upper_x = b.high.x + padding;
+    p.upper_y = b.high.y + padding;
+    p.upper_z = b.high.z + padding;
+    p.primID = static_cast<unsigned int>(i);
+  }
+  const std::unique_ptr<RTCBVHTy, decltype(&rtcReleaseBVH)> bvh(rtcNewBVH(device.get()), rtcReleaseBVH);
+  if (!bvh) device.check();
+  RTCBuildArguments arguments = rtcDefaultBuildArguments();
+  arguments.maxBranchingFactor = ClusterTree::kWidth;
+  arguments.maxDepth = ClusterTree::kMostDepth;
+  arguments.maxLeafSize = 1;
+  arguments.bvh = bvh.get();
+  arguments.primitives = primitives.data();
+  arguments.primitiveCount = primitives.size();
+  arguments.primitiveArrayCapacity = primitives.size();
+  arguments.createNode = createNode;
+  arguments.setNodeChildren = setChildren;
+  arguments.setNodeBounds = setBounds;
+  arguments.createLeaf = createLeaf;
+  const void* root = rtcBuildBVH(&arguments);
+  device.check();
+  ClusterTree tree;
+  if (root) append(*static_cast<const Built*>(root), tree);
+  return tree;
+}
+
+}  // namespace steradian::embree

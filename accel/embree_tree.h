@@ -1,0 +1,15 @@
+#pragma once
+/// Hierarchies that Embree builds and we walk.
+#include <span>
+
+#include "steradian/accel/embree_scene.h"
+#include "steradian/accel/shapes/cluster_tree.h"
+#include "steradian/core/bounds.h"
+
+namespace steradian::embree {
+
+/// A tree over clusters 0 to bounds.size()-1 by the surface-area heuristic; none over fewer than two. Bounds in it are
+/// `padding` wider on every side (scene units). Built by the threads of the caller's arena. Failures are the device's.
+ClusterTree buildTree(const Device& device, std::span<const Bounds3> bounds, float padding);
+
+}  // namespace steradian::embree

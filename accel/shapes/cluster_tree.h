@@ -1,0 +1,22 @@
+#pragma once
+/// A hierarchy of bounds over clusters, eight wide: a ray meets eight bounds at once.
+#include <cstdint>
+#include <vector>
+
+namespace steradian {
+
+struct ClusterTree {
+  static constexpr std::uint32_t kWidth = 8;
+  /// No leaf has more nodes above it.
+  static constexpr std::uint32_t kMostDepth = 48;
+  /// Set in the children that are leaves.
+  static constexpr std::uint32_t kLeaf = 0x80000000u;
+
+  struct alignas(64) Node {
+    float side[2][3][kWidth];     ///< low and high, by axis, of each child; where there is none, what no ray meets
+    std::uint32_t child[kWidth];  ///< number of a node, or of a cluster and kLeaf
+  };
+  std::vector<Node> nodes;  ///< the root first; empty: no hierarchy
+};
+
+}  // namespace steradian
