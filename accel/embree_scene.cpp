@@ -53,7 +53,7 @@ void updateHit(const RTCIntersectFunctionNArguments* args, const Nearest& neares
   Ray<float> ray = fromEmbree(rayHit.ray);
   LeafHit best;
   if (hit.geomID != RTC_INVALID_GEOMETRY_ID) {
-    best = {ray.tMax, hit.u, hit.v, hit.geomID, hit.primID, hit.instID[0]};
+    best = {ray.tMax, hit.u, hit.v, hit.geomID, hit.primID, hit.instID[0], bitsOf(hit.Ng_x)};
     ray.tMax = justBeyond(ray.tMax);  // equally near hits must come through
   }
   const LeafHit before = best;
@@ -68,6 +68,7 @@ void updateHit(const RTCIntersectFunctionNArguments* args, const Nearest& neares
   hit.geomID = best.shape;
   hit.primID = best.primitive;
   hit.instID[0] = best.instance;
+  hit.Ng_x = floatOf(best.place);  // of clusters and what moves nobody needs the normal
 }
 
 /// any(ray): is Embree's ray occluded?
@@ -231,7 +232,7 @@ LeafHit intersect(const Scene& scene, const Ray<float>& ray) {
   intersect(scene.get(), rayHit);
   const RTCHit& hit = rayHit.hit;
   if (hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
-  return {rayHit.ray.tfar, hit.u, hit.v, hit.geomID, hit.primID, hit.instID[0]};
+  return {rayHit.ray.tfar, hit.u, hit.v, hit.geomID, hit.primID, hit.instID[0], bitsOf(hit.Ng_x)};
 }
 
 bool occluded(const Scene& scene, const Ray<float>& ray) {

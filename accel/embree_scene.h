@@ -85,7 +85,7 @@ class Scene {
   std::unique_ptr<RTCSceneTy, Release> scene_;
 };
 
-/// Nearest hit; ids of instances are those they were attached with.
+/// Nearest hit; ids of instances are those they were attached with. `place` is of no use for native triangles.
 LeafHit intersect(const Scene& scene, const Ray<float>& ray);
 bool occluded(const Scene& scene, const Ray<float>& ray);
 

@@ -15,6 +15,7 @@
 namespace steradian {
 
 class FlatPrimitives;
+struct PointRecord;
 
 /// "3.13.5": what the library was built with.
 std::string_view embreeVersion();
@@ -64,10 +65,17 @@ class Geometry {
   /// The point that this ray hit; `hit` must come from intersect() with the same ray. Invalid for a miss.
   SurfacePoint<float> surfacePoint(const Ray<float>& ray, const Hit<float>& hit) const;
 
-  /// The primitives for several rays at once: in scenes without instances, native triangles and shapes with a motion,
-  /// unless there are very many, or kinds that FlatPrimitives does not hold; then null. Rays meet `few` of them
-  /// directly if no hierarchy is asked for.
+  /// For several rays at once: the few primitives of a small scene that has records; otherwise null.
   const FlatPrimitives* flat() const;
+  /// Whether there is a record for whatever is hit: no instances, native triangles, shapes with a motion, or kinds
+  /// without (see haveRecords()). And whether points by records can have uv.
+  bool hasRecords() const;
+  bool recordsKnowUv() const;
+  /// What the points on the primitive that was hit need; `hit` as for surfacePoint(), and valid. Needs hasRecords().
+  void fillRecord(PointRecord& record, const Hit<float>& hit) const;
+  /// All records, by Hit::place, in scenes of at most 65536 primitives; empty in others. With kNone for a shape where
+  /// there is no primitive.
+  std::span<const PointRecord> keptRecords() const;
 
   /// Bounds of all surfaces in the world; empty for a scene without.
   Bounds3 bounds() const;

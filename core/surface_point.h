@@ -18,6 +18,7 @@ struct Hit {
   UintOf<F> shape{kNone};  ///< index into SceneDescription::shapes
   UintOf<F> primitive{kNone};  ///< index inside that shape's set
   UintOf<F> instance{kNone};   ///< index of the flattened instance, or kNone for a shape placed directly
+  UintOf<F> place{kNone};      ///< where the geometry keeps the primitive: for its own use
 };
 
 template <class F>

@@ -3,6 +3,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "steradian/accel/shapes/flat_primitives.h"
@@ -12,7 +13,8 @@
 namespace steradian {
 
 /// Answers are those of Scene, lane by lane and to the bit. The few primitives of small scenes are met with all lanes
-/// at once; larger scenes are asked ray by ray, and all but the largest find the points hit with all lanes.
+/// at once; larger scenes are asked ray by ray, and points are found with all lanes unless there are instances or
+/// motion.
 class WideScene {
  public:
   /// The scene must outlive this.
@@ -20,8 +22,10 @@ class WideScene {
       : scene_(&scene),
         flat_(scene.geometry().flat()),
         materials_(scene.materials()),
-        usesFlat_(flat_ != nullptr && (flat_->knowsUv() || !materials_.readsUv())),
+        records_(scene.geometry().keptRecords()),
+        usesRecords_(scene.geometry().hasRecords() && (scene.geometry().recordsKnowUv() || !materials_.readsUv())),
         hasSky_(scene.lights().hasSky()) {
+    for (const PointRecord& record : records_) keptKinds_ |= record.shape != kNone ? bitOf(record) : 0u;
     for (const ShapeDescription& shape : scene.description().shapes)
       emits_.push_back(shape.emission != kNone ? 1u : 0u);
     emits_.push_back(0u);  // of no shape
@@ -48,8 +52,10 @@ class WideScene {
   const Scene* scene_;
   const FlatPrimitives* flat_;
   MaterialTable materials_;
-  bool usesFlat_;                     ///< for points
-  std::vector<std::uint32_t> emits_;  ///< per shape
+  std::span<const PointRecord> records_;  ///< all, or none
+  PointKinds keptKinds_ = 0;              ///< of them
+  bool usesRecords_;                      ///< for points
+  std::vector<std::uint32_t> emits_;      ///< per shape
   bool hasSky_;
 };
 
@@ -79,12 +85,12 @@ SurfacePoint<F> WideScene::intersect(const Ray<F>& ray, MaskOf<F> active) const 
   const Geometry& geometry = scene_->geometry();
   const bool withUv = materials_.readsUv();
   const MaskOf<F> usable = active & isUsable(ray);
-  if (usesFlat_ && flat_->few()) {
+  if (usesRecords_ && flat_ != nullptr) {
     return flat_->surfacePoint(ray, withUv ? flat_->nearest<F, true>(ray, usable) : flat_->nearest(ray, usable),
                                withUv);
   }
   const detail::SingleRays<F> rays(ray);
-  if (!usesFlat_) {
+  if (!usesRecords_) {
     SurfacePoint<F> points;
     for (std::uint32_t left = laneBits(usable); left != 0; left &= left - 1) {
       const int i = std::countr_zero(left);
@@ -92,7 +98,10 @@ SurfacePoint<F> WideScene::intersect(const Ray<F>& ray, MaskOf<F> active) const 
     }
     return points;
   }
-  FlatPrimitives::LaneHit<F> hits;
+  RecordHit<F> hits;
+  PointRecord filled[widthOf<F>];
+  std::uint32_t count = 0;
+  PointKinds kinds = 0;
   for (std::uint32_t left = laneBits(usable); left != 0; left &= left - 1) {
     const int i = std::countr_zero(left);
     const Hit<float> hit = geometry.intersectUsable(rays[i]);
@@ -101,15 +110,22 @@ SurfacePoint<F> WideScene::intersect(const Ray<F>& ray, MaskOf<F> active) const 
     setLane(hits.t, i, hit.t);
     setLane(hits.u, i, hit.u);
     setLane(hits.v, i, hit.v);
-    setLane(hits.entry, i, flat_->entryOf(hit.shape, hit.primitive));
+    if (!records_.empty()) {
+      setLane(hits.record, i, hit.place);
+    } else {
+      geometry.fillRecord(filled[count], hit);
+      kinds |= bitOf(filled[count]);
+      setLane(hits.record, i, count++);
+    }
   }
-  return flat_->surfacePoint(ray, hits, withUv);
+  if (!records_.empty()) return surfacePoint(records_.data(), keptKinds_, ray, hits, withUv);
+  return count > 0 ? surfacePoint(filled, kinds, ray, hits, withUv) : SurfacePoint<F>{};
 }
 
 template <class F>
 MaskOf<F> WideScene::occluded(const Ray<F>& ray, MaskOf<F> active) const {
   const MaskOf<F> usable = active & isUsable(ray);
-  if (flat_ != nullptr && flat_->few()) return flat_->any(ray, usable);
+  if (flat_ != nullptr) return flat_->any(ray, usable);
   const detail::SingleRays<F> rays(ray);
   MaskOf<F> hit(false);
   for (std::uint32_t left = laneBits(usable); left != 0; left &= left - 1) {

@@ -91,13 +91,6 @@ class Concatenation {
     }
   }
   std::uint32_t count() const { return count_; }
-  /// One call per set: its number of primitives and its shape.
-  template <class Visit>
-  void forEachSet(const Visit& visit) const {
-    for (std::size_t i = 0; i < parts_.size(); ++i) {
-      visit((i + 1 < parts_.size() ? parts_[i + 1].first : count_) - parts_[i].first, parts_[i].shape);
-    }
-  }
   Place place(std::uint32_t ordinal) const {
     const auto after = std::upper_bound(parts_.begin(), parts_.end(), ordinal,
                                         [](std::uint32_t o, const Part& part) { return o < part.first; });
@@ -114,9 +107,6 @@ class Concatenation {
   std::vector<Part> parts_;
   std::uint32_t count_ = 0;
 };
-
-/// Smaller sets stay in the cache as the description has them.
-constexpr std::uint32_t kPlacedFrom = 4096;
 
 template <class Leaf>
 typename Leaf::Shape leafOf(const Cluster<Leaf>& cluster, int lane) {
@@ -164,10 +154,6 @@ void ClusterSet::add(const SceneDescription& scene, std::span<const Id> shapes) 
   clusters.resize(partition.ranges.size());
   const std::size_t firstCluster = bounds_.size();
   bounds_.resize(firstCluster + clusters.size());
-  all.forEachSet([&](std::uint32_t count, Id shape) {
-    if (count >= kPlacedFrom && !std::is_same_v<Leaf, TriangleLeaf>)
-      places_.push_back({shape, std::vector<std::uint32_t>(count)});
-  });
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, clusters.size(), 256), [&](const auto& block) {
     for (std::size_t c = block.begin(); c != block.end(); ++c) {
       const ClusterRange range = partition.ranges[c];
@@ -176,9 +162,6 @@ void ClusterSet::add(const SceneDescription& scene, std::span<const Id> shapes) 
         const typename Leaf::Shape value = SetOf<Leaf>::at(*place.set, place.primitive);
         clusters[c].put(static_cast<int>(i), value, place.shape, place.primitive);
         bounds_[firstCluster + c].include(boundsOf(value));
-        if (std::uint32_t* places = placesToFill(place.shape)) {
-          places[place.primitive] = static_cast<std::uint32_t>((firstCluster + c) * kClusterSize) + i;
-        }
       }
     }
   });
@@ -195,18 +178,11 @@ void ClusterSet::addCustom(const SceneDescription& scene, std::span<const Id> sh
   }
 }
 
-std::uint32_t* ClusterSet::placesToFill(Id shape) {
-  for (Places& places : places_) {
-    if (places.shape == shape) return places.places.data();
-  }
-  return nullptr;
-}
-
-const std::uint32_t* ClusterSet::placesOf(Id shape) const {
-  for (const Places& places : places_) {
-    if (places.shape == shape) return places.places.data();
-  }
-  return nullptr;
+bool ClusterSet::isUsed(std::uint32_t place) const {
+  bool used = false;
+  clusters_.visit(place / kClusterSize,
+                  [&](const auto& cluster) { used = cluster.shape[place % kClusterSize] != kNone; });
+  return used;
 }
 
 LeafShape ClusterSet::leafShape(std::uint32_t place) const {
@@ -216,12 +192,19 @@ LeafShape ClusterSet::leafShape(std::uint32_t place) const {
   return shape;
 }
 
+void ClusterSet::fillRecord(PointRecord& record, std::uint32_t place) const {
+  const auto lane = static_cast<int>(place % kClusterSize);
+  clusters_.visit(place / kClusterSize, [&](const auto& cluster) {
+    steradian::fillRecord(record, leafOf(cluster, lane));
+    record.shape = cluster.shape[lane];
+    record.primitive = cluster.primitive[lane];
+  });
+}
+
 std::size_t ClusterSet::bytes() const {
   const std::size_t clusters =
       std::apply([](const auto&... kind) { return ((kind.capacity() * sizeof(kind[0])) + ... + 0u); }, clusters_.kinds);
-  std::size_t places = 0;
-  for (const Places& p : places_) places += p.places.capacity() * sizeof(p.places[0]);
-  return clusters + places + clusters_.custom.capacity() * sizeof(Clusters::Custom) +
+  return clusters + clusters_.custom.capacity() * sizeof(Clusters::Custom) +
          clusters_.tree.nodes.capacity() * sizeof(ClusterTree::Node) + bounds_.capacity() * sizeof(Bounds3);
 }
 

@@ -1,18 +1,15 @@
 #pragma once
 /// All clusters of one hierarchy: the shapes placed directly in a scene, or those of one group.
 #include <span>
-#include <variant>
 #include <vector>
 
 #include "steradian/accel/shapes/leaf_kernels.h"
+#include "steradian/accel/shapes/leaf_shape.h"
+#include "steradian/accel/shapes/point_record.h"
 #include "steradian/core/bounds.h"
 #include "steradian/core/description.h"
 
 namespace steradian {
-
-/// A primitive as its cluster keeps it.
-using LeafShape = std::variant<Quad<float>, AlignedQuad, UprightBox<float>, Sphere<float>, MovingSphere<float>,
-                               Triangle<float>, Disk<float>, TurnedBox>;
 
 class ClusterSet {
  public:
@@ -34,10 +31,13 @@ class ClusterSet {
   /// Memory that the set holds.
   std::size_t bytes() const;
 
-  /// Of a large set that is in here: where each primitive is, by its number; null for others. A ray that has hit a
-  /// primitive has its cluster in the cache, but not its ten numbers in the arrays of the description.
-  const std::uint32_t* placesOf(Id shape) const;
+  /// Whether there is a primitive at a place from 0 to size() * kClusterSize - 1; of custom shapes never.
+  bool isUsed(std::uint32_t place) const;
+  /// What is at LeafHit::place, which is not kNone. A ray that has hit a primitive has its cluster in the cache, but
+  /// not its ten numbers in the arrays of the description.
   LeafShape leafShape(std::uint32_t place) const;
+  /// All but the material.
+  void fillRecord(PointRecord& record, std::uint32_t place) const;
 
   /// Nearest hit with tMin < t < tMax: updates `best` where it is nearer, or equally near with a smaller id.
   /// `instance`: the one met in, or kNone.
@@ -48,18 +48,12 @@ class ClusterSet {
   bool any(const Ray<float>& ray) const { return kernels_->any(clusters_, ray); }
 
  private:
-  struct Places {
-    Id shape;
-    std::vector<std::uint32_t> places;  ///< cluster * kClusterSize + lane
-  };
   template <class Leaf>
   void add(const SceneDescription& scene, std::span<const Id> shapes);
-  std::uint32_t* placesToFill(Id shape);
   void addCustom(const SceneDescription& scene, std::span<const Id> shapes);
 
   const LeafKernels* kernels_ = &leafKernels(Isa::Baseline);
   Clusters clusters_;
-  std::vector<Places> places_;
   std::vector<Bounds3> bounds_;
   Bounds3 total_;
 };

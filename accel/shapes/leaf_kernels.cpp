@@ -14,7 +14,7 @@ void nearestInCustom(const Clusters::Custom& custom, const Ray<float>& ray, std:
   const auto hit = custom.implementation->intersect(ray);
   // Someone else's code: hold it to its contract.
   if (!hit || !(hit->t > ray.tMin && hit->t < ray.tMax)) return;
-  const LeafHit candidate{hit->t, hit->uv.x, hit->uv.y, custom.shape, custom.primitive, instance};
+  const LeafHit candidate{hit->t, hit->uv.x, hit->uv.y, custom.shape, custom.primitive, instance, kNone};
   keepFirst(candidate, best);
 }
 
@@ -26,7 +26,7 @@ bool anyInCustom(const Clusters::Custom& custom, const Ray<float>& ray) {
 
 void nearestInOne(const Clusters& clusters, std::uint32_t cluster, const Ray<float>& ray, const Ray<F>& lanes,
                   std::uint32_t instance, LeafHit& best) {
-  if (!clusters.visit(cluster, [&](const auto& c) { meetNearest(c, lanes, instance, best); })) {
+  if (!clusters.visit(cluster, [&](const auto& c) { meetNearest(c, cluster, lanes, instance, best); })) {
     nearestInCustom(clusters.customOf(cluster), ray, instance, best);
   }
 }
@@ -184,8 +184,9 @@ void nearest(const Clusters& clusters, const Ray<float>& ray, std::uint32_t inst
   const Ray<F> lanes = broadcastRay<F>(ray);
   std::apply(
       [&](const auto&... kind) {
+        std::uint32_t number = 0;
         const auto meetAll = [&](const auto& ofKind) {
-          for (const auto& cluster : ofKind) meetNearest(cluster, lanes, instance, best);
+          for (const auto& cluster : ofKind) meetNearest(cluster, number++, lanes, instance, best);
         };
         (meetAll(kind), ...);
       },

@@ -89,7 +89,7 @@ void registerLeaf(const std::string& name) {
     const std::vector<Ray<float>> rays = raysAtCube();
     measureRays(state, kInputs, [&](std::size_t i) {
       LeafHit best;
-      meetNearest(cluster, broadcastRay<LeafLanes>(rays[i]), kNone, best);
+      meetNearest(cluster, 0, broadcastRay<LeafLanes>(rays[i]), kNone, best);
       return best;
     });
   });

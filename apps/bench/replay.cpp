@@ -69,7 +69,6 @@ std::uint64_t countHits(const FlatPrimitives& primitives, std::span<const Record
 
 std::uint64_t replay(const Geometry& geometry, std::span<const RecordedRay> rays, bool several) {
   const FlatPrimitives* flat = several ? geometry.flat() : nullptr;
-  if (flat != nullptr && !flat->few()) flat = nullptr;  // renders ask for those ray by ray
   std::atomic<std::uint64_t> hits{0};
   const std::size_t runs = (rays.size() + kRun - 1) / kRun;
   tbb::parallel_for(

@@ -35,53 +35,90 @@ TEST(Geometry, HierarchyGivesTheHitsOfALoopOverAllKinds) {
   EXPECT_GT(hits, 4000);
 }
 
+using Eight = Lanes<8>;
+
+/// The point of the ray in one of eight lanes, by the record of what it hit.
+SurfacePoint<float> pointByRecord(const PointRecord* records, std::uint32_t record, PointKinds kinds,
+                                  const Ray<float>& ray, const Hit<float>& hit, int at) {
+  Ray<Eight> rays;
+  RecordHit<Eight> hits;
+  setLane(rays, at, ray);
+  setLane(hits.valid, at, true);
+  setLane(hits.t, at, hit.t);
+  setLane(hits.u, at, hit.u);
+  setLane(hits.v, at, hit.v);
+  setLane(hits.record, at, record);
+  return lane(surfacePoint(records, kinds, rays, hits, true), at);
+}
+
+void expectSamePoint(const SurfacePoint<float>& point, const SurfacePoint<float>& expected) {
+  ASSERT_TRUE(point.valid);
+  ASSERT_EQ(point.shape, expected.shape);
+  ASSERT_EQ(point.primitive, expected.primitive);
+  ASSERT_EQ(point.material, expected.material);
+  ASSERT_EQ(point.distance, expected.distance);
+  ASSERT_EQ(point.position.x, expected.position.x);
+  ASSERT_EQ(point.position.z, expected.position.z);
+  ASSERT_EQ(point.positionError.y, expected.positionError.y);
+  ASSERT_EQ(point.shadingNormal.y, expected.shadingNormal.y);
+  ASSERT_EQ(point.uv.x, expected.uv.x);
+  ASSERT_EQ(point.uv.y, expected.uv.y);
+}
+
 // Points of several rays at once are those of single rays, uv included, with and without a hierarchy.
-TEST(Geometry, FlatPointsAreThoseOfSingleRays) {
-  using F = Lanes<8>;
+TEST(Geometry, PointsByRecordsAreThoseOfSingleRays) {
   const auto scene = std::make_shared<SceneDescription>(mixedScene());
   Numbers number;
   for (const GeometrySettings& settings : {direct(), hierarchy()}) {
     const Geometry geometry(scene, settings);
     const FlatPrimitives* flat = geometry.flat();
-    ASSERT_NE(flat, nullptr);
-    EXPECT_EQ(flat->few(), settings.mostWithoutTree != 0);
-    EXPECT_TRUE(flat->knowsUv());
+    EXPECT_EQ(flat != nullptr, settings.mostWithoutTree != 0);
+    EXPECT_EQ(geometry.keptRecords().empty(), flat != nullptr);
+    ASSERT_TRUE(geometry.hasRecords());
+    EXPECT_TRUE(geometry.recordsKnowUv());
+    constexpr PointKinds all = ~0u >> 24;
     int points = 0;
     for (int i = 0; i < 8000; ++i) {
       const Vec3f from = number.point(4.0f);
       const Ray<float> ray{from, normalize(number.point(2.0f) - from), kInfinity, number(0.0f, 0.99f)};
       const Hit<float> hit = geometry.intersect(ray);
       if (!hit.valid) continue;
+      ++points;
       const SurfacePoint<float> expected = geometry.surfacePoint(ray, hit);
-      Ray<F> rays;
-      FlatPrimitives::LaneHit<F> hits;
-      setLane(rays, i % 8, ray);
-      if (flat->few() && i % 2 == 0) {
+      PointRecord record;
+      geometry.fillRecord(record, hit);
+      ASSERT_NO_FATAL_FAILURE(expectSamePoint(pointByRecord(&record, 0, all, ray, hit, i % 8), expected));
+      if (flat == nullptr) {
+        const PointRecord* kept = geometry.keptRecords().data();
+        ASSERT_NO_FATAL_FAILURE(expectSamePoint(pointByRecord(kept, hit.place, all, ray, hit, i % 8), expected));
+      } else {
+        Ray<Eight> rays;
+        setLane(rays, i % 8, ray);
         Mask<8> active(false);
         active.set(i % 8, true);
-        hits = flat->nearest<F, true>(rays, active);
-      } else {
-        setLane(hits.valid, i % 8, true);
-        setLane(hits.t, i % 8, hit.t);
-        setLane(hits.u, i % 8, hit.u);
-        setLane(hits.v, i % 8, hit.v);
-        setLane(hits.entry, i % 8, flat->entryOf(hit.shape, hit.primitive));
+        const SurfacePoint<Eight> met = flat->surfacePoint(rays, flat->nearest<Eight, true>(rays, active), true);
+        ASSERT_NO_FATAL_FAILURE(expectSamePoint(lane(met, i % 8), expected));
       }
-      const SurfacePoint<float> point = lane(flat->surfacePoint(rays, hits, true), i % 8);
-      ++points;
-      ASSERT_EQ(point.shape, expected.shape);
-      ASSERT_EQ(point.primitive, expected.primitive);
-      ASSERT_EQ(point.material, expected.material);
-      ASSERT_EQ(point.distance, expected.distance);
-      ASSERT_EQ(point.position.x, expected.position.x);
-      ASSERT_EQ(point.position.z, expected.position.z);
-      ASSERT_EQ(point.positionError.y, expected.positionError.y);
-      ASSERT_EQ(point.shadingNormal.y, expected.shadingNormal.y);
-      ASSERT_EQ(point.uv.x, expected.uv.x) << scene->shapes[point.shape].name;
-      ASSERT_EQ(point.uv.y, expected.uv.y) << scene->shapes[point.shape].name;
     }
     EXPECT_GT(points, 3000);
   }
+}
+
+TEST(Geometry, KeepsRecordsOfAllButTheLargestScenes) {
+  const auto withBoxes = [](std::uint32_t count) {
+    auto scene = std::make_shared<SceneDescription>();
+    BoxSet boxes;
+    for (std::uint32_t i = 0; i < count; ++i)
+      boxes.addRotatedY({static_cast<float>(i), 0, 0}, {0.3f, 0.3f, 0.3f}, 7.0f);
+    scene->addShape("boxes", std::move(boxes), 5);
+    return scene;
+  };
+  const Geometry large(withBoxes(65536)), larger(withBoxes(65537));
+  EXPECT_GE(large.keptRecords().size(), 65536u);
+  EXPECT_TRUE(larger.keptRecords().empty());
+  EXPECT_TRUE(larger.hasRecords());
+  EXPECT_GT(large.statistics().bytes, larger.statistics().bytes + 80u * 65536u - 1000u);
+  EXPECT_EQ(large.keptRecords()[3].material, 5u);
 }
 
 TEST(Geometry, EquallyNearHitsGoToTheSmallerIdInAnyLayout) {

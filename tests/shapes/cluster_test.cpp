@@ -27,11 +27,12 @@ LeafHit oneByOne(const std::vector<Shape>& shapes, const Ray<float>& ray) {
 template <class F, class Leaf>
 void expectMeets(const Cluster<Leaf>& cluster, const Ray<float>& ray, const LeafHit& expected) {
   LeafHit best;
-  meetNearest(cluster, broadcastRay<F>(ray), kNone, best);
+  meetNearest(cluster, 3, broadcastRay<F>(ray), kNone, best);
   ASSERT_EQ(best.found(), expected.found());
   ASSERT_EQ(best.t, expected.t);
   ASSERT_EQ(best.primitive, expected.primitive);
   ASSERT_EQ(best.shape, expected.shape);
+  ASSERT_EQ(best.place, expected.found() ? 3 * kClusterSize + expected.primitive : kNone);
   ASSERT_EQ(meetAny(cluster, broadcastRay<F>(ray)), expected.found());
 }
 
@@ -83,7 +84,7 @@ TEST(Cluster, EquallyNearHitsGoToTheSmallestId) {
   Cluster<QuadLeaf> cluster;
   for (int i = 0; i < kClusterSize; ++i) cluster.put(i, quad, 3, static_cast<std::uint32_t>(10 + i));
   const auto nearest = [&](LeafHit best, std::uint32_t instance) {
-    meetNearest(cluster, broadcastRay<Lanes<8>>(ray), instance, best);
+    meetNearest(cluster, 0, broadcastRay<Lanes<8>>(ray), instance, best);
     return best;
   };
   EXPECT_EQ(nearest({}, kNone).primitive, 10u);
@@ -222,12 +223,21 @@ TEST(ClusterSet, IsTheSameForEveryInstructionSet) {
     LeafHit expected;
     set.nearest(ray, kNone, expected);
     ASSERT_EQ(set.any(ray), expected.found());
+    if (expected.found()) {
+      ASSERT_TRUE(set.isUsed(expected.place));
+      PointRecord record;
+      set.fillRecord(record, expected.place);
+      ASSERT_EQ(record.shape, expected.shape);
+      ASSERT_EQ(record.primitive, expected.primitive);
+      ASSERT_EQ(std::holds_alternative<Sphere<float>>(set.leafShape(expected.place)), expected.shape == 0);
+    }
     for (const ClusterSet& same : sameSets) {
       LeafHit hit;
       same.nearest(ray, kNone, hit);
       ASSERT_EQ(hit.t, expected.t);
       ASSERT_EQ(hit.u, expected.u);
       ASSERT_EQ(hit.primitive, expected.primitive);
+      ASSERT_EQ(hit.place, expected.place);
       ASSERT_EQ(same.any(ray), expected.found());
     }
   }

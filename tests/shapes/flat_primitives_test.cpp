@@ -51,21 +51,6 @@ TEST(FlatPrimitives, FindTheHitsOfClusters) {
   EXPECT_GT(hits, 5000);
 }
 
-TEST(FlatPrimitives, WithoutKernelsThereAreStillPoints) {
-  const SceneDescription scene = mixedScene();
-  const std::vector<Id> shapes = allShapes(scene);
-  const FlatPrimitives flat(scene, shapes), pointsOnly(scene, shapes, false);
-  EXPECT_TRUE(flat.few());
-  EXPECT_FALSE(pointsOnly.few());
-  const Ray<F> rays{{F(0.1f), F(-0.2f), F(5.0f)}, normalize(Vec3<F>{F(0.05f), F(0.1f), F(-1.0f)})};
-  const auto found = flat.nearest<F, true>(rays, Mask<8>(true));
-  ASSERT_TRUE(all(found.valid));
-  const SurfacePoint<F> a = flat.surfacePoint(rays, found, true), b = pointsOnly.surfacePoint(rays, found, true);
-  EXPECT_EQ(a.position.x[3], b.position.x[3]);
-  EXPECT_EQ(a.uv.x[3], b.uv.x[3]);
-  EXPECT_EQ(a.primitive[3], b.primitive[3]);
-}
-
 TEST(FlatPrimitives, LeaveOutWhatTheyDoNotKnow) {
   SceneDescription scene;
   TriangleMesh smooth;
@@ -81,6 +66,15 @@ TEST(FlatPrimitives, LeaveOutWhatTheyDoNotKnow) {
   EXPECT_FALSE(FlatPrimitives::holds(scene, std::vector<Id>{1}));
   EXPECT_TRUE(FlatPrimitives::holds(scene, std::vector<Id>{2}));
   EXPECT_FALSE(FlatPrimitives::holds(scene, {}));
+  EXPECT_FALSE(haveRecords(scene, std::vector<Id>{0, 2}));
+  EXPECT_TRUE(recordsKnowUv(scene, std::vector<Id>{0, 2}));
+  std::get<TriangleMesh>(scene.shapes[0].geometry).uvs.resize(3);
+  EXPECT_FALSE(recordsKnowUv(scene, std::vector<Id>{0, 2}));
+  SphereSet many;
+  for (int i = 0; i <= 64; ++i) many.add({0, 0, 0}, 1.0f);
+  scene.addShape("many", many, kNone);
+  EXPECT_FALSE(FlatPrimitives::holds(scene, std::vector<Id>{3}));
+  EXPECT_TRUE(haveRecords(scene, std::vector<Id>{3}));
 }
 
 TEST(FlatPrimitives, MaterialsOfPrimitives) {
