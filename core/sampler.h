@@ -53,7 +53,8 @@ struct SamplerSettings {
 /// Halton (core/halton.h): scrambled, an independent scramble per pixel, dimension and replicate; stratified over all
 /// dimensions of bounce 0 together, padded beyond.
 /// Sobol: Owen-scrambled copies of the first two Sobol' dimensions (core/sobol.h), an independent one per pixel,
-/// dimension and replicate. Any aligned block of 2^m consecutive samples is a (0,m,2)-net in each dimension.
+/// dimension and replicate, but for the places on the film and the lens and the first direction, which are stratified
+/// together. Any aligned block of 2^m consecutive samples is a (0,m,2)-net in each dimension.
 /// SobolFull (core/sobol_full.h): Owen-scrambled, coordinates 2 d and 2 d + 1 for dimension d, so that the first 128
 /// dimensions (12 bounces) are stratified together; those beyond begin again with another order of the samples. Any
 /// aligned block of 2^m samples is stratified in each coordinate, and in dimension 0 it is a (0,m,2)-net.
@@ -68,6 +69,7 @@ class Sampler {
       : settings_(settings), pixel_(pixel), sample_(sample), index_(sample) {
     if (settings.replicates > 1) index_ = divide(sample, settings.replicates, sequence_);
     if (settings.type == SamplerType::Sobol) {
+      plainIndex_ = index_;
       index_ = reverseBits(index_);
     } else {
       prepareIndex();
@@ -86,10 +88,8 @@ class Sampler {
 
   /// In [0, 1)^2.
   Vec2<F> get2D(UintOf<F> dimension) const {
-    if (settings_.type == SamplerType::Sobol) {
-      const Words key = sequenceKey(dimension);
-      return owenSobol2D<F>(index_, key[0], key[1], key[2]);
-    }
+    if (settings_.type == SamplerType::Sobol)
+      return sobol2D(dimension, Purpose::Film, Purpose::BsdfDirection, Purpose::Lens);
     if (settings_.type == SamplerType::Independent) {
       const Words words = independentWords(dimension);
       return {toUnitFloat<F>(words[0]), toUnitFloat<F>(words[1])};
@@ -98,7 +98,12 @@ class Sampler {
   }
 
   F get1D(UintOf<F> bounce, Purpose purpose) const { return get1D(dimensionOf(bounce, purpose)); }
-  Vec2<F> get2D(UintOf<F> bounce, Purpose purpose) const { return get2D(dimensionOf(bounce, purpose)); }
+  Vec2<F> get2D(UintOf<F> bounce, Purpose purpose) const {
+    const Uint dimension = dimensionOf(bounce, purpose);
+    if (settings_.type != SamplerType::Sobol) return get2D(dimension);
+    // The same, without asking for purposes that it cannot have.
+    return shuffleOf(purpose) != nullptr ? sobol2D(dimension, purpose) : sobol2D(dimension);
+  }
 
   const SamplerSettings& settings() const { return settings_; }
   UintOf<F> pixel() const { return pixel_; }
@@ -107,6 +112,37 @@ class Sampler {
  private:
   using Uint = UintOf<F>;
   using Words = std::array<Uint, 4>;
+
+  /// How a dimension of bounce 0 is stratified together with the others that are; null for those that are not.
+  static const SobolShuffle* shuffleOf(Purpose purpose) {
+    switch (purpose) {
+      case Purpose::Film:
+        return &kSobolFirst;
+      case Purpose::BsdfDirection:
+        return &kSobolSecond;
+      case Purpose::Lens:
+        return &kSobolThird;
+      default:
+        return nullptr;
+    }
+  }
+  /// `possible`: those purposes stratified together that some lane's dimension may have.
+  template <class... Purposes>
+  Vec2<F> sobol2D(Uint dimension, Purposes... possible) const {
+    const Words key = sequenceKey(dimension);
+    Uint index = shuffledAlone(index_, key[0]), seedX = key[1], seedY = key[2];
+    [[maybe_unused]] const auto placeTogether = [&](Purpose purpose) {
+      const MaskOf<F> mine = dimension == dimensionOf(Uint(0u), purpose);
+      if (!any(mine)) return;
+      // A scramble turns the lowest bits of its word, the least random ones, into the highest of the coordinate. (Where
+      // the index is shuffled by a hash, this does no harm; here neighbouring pixels would be alike.)
+      index = select(mine, shuffledTogether(plainIndex_, *shuffleOf(purpose)), index);
+      seedX = select(mine, mixBits(seedX), seedX);
+      seedY = select(mine, mixBits(seedY), seedY);
+    };
+    (placeTogether(possible), ...);
+    return owenSobol2D<F>(index, seedX, seedY);
+  }
 
   /// Samples of one sequence; no more than floats can tell apart.
   std::uint32_t sampleCount() const {
@@ -205,8 +241,9 @@ class Sampler {
 
   SamplerSettings settings_;
   Uint pixel_, sample_;
-  Uint index_;                ///< in its sequence, as the type wants it: for Sobol and Pmj02 bit-reversed
-  Uint sequence_ = Uint(0u);  ///< replicate; and the round, for types whose sequences end
+  Uint index_;                  ///< in its sequence, as the type wants it: for Sobol and Pmj02 bit-reversed
+  Uint plainIndex_ = Uint(0u);  ///< for Sobol: in its sequence
+  Uint sequence_ = Uint(0u);    ///< replicate; and the round, for types whose sequences end
 };
 
 }  // namespace steradian

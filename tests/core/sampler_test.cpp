@@ -33,7 +33,10 @@ TEST(Sampler, DimensionsOfBouncesAndPurposesDiffer) {
   EXPECT_EQ(std::unique(seen.begin(), seen.end()), seen.end());
   const Sampler<float> sampler({}, 3u, 5u);
   EXPECT_EQ(sampler.get1D(2u, Purpose::Roulette), sampler.get1D(dimensionOf(2u, Purpose::Roulette)));
-  EXPECT_TRUE(test::sameBits(sampler.get2D(0u, Purpose::Lens), sampler.get2D(dimensionOf(0u, Purpose::Lens))));
+  for (const Purpose purpose : {Purpose::Film, Purpose::Lens, Purpose::BsdfDirection, Purpose::LightPosition}) {
+    for (const Word bounce : {0u, 1u})
+      EXPECT_TRUE(test::sameBits(sampler.get2D(bounce, purpose), sampler.get2D(dimensionOf(bounce, purpose))));
+  }
 }
 
 /// Of `type`, the 2^m samples of the block.
@@ -55,7 +58,7 @@ TEST(Sampler, BlocksAreNetsInEveryDimension) {
   for (const SamplerType type :
        {SamplerType::Sobol, SamplerType::SobolFull, SamplerType::BlueNoise, SamplerType::Pmj02}) {
     for (const Word pixel : {0u, 1u, 4000000000u}) {
-      for (const Word dimension : {0u, 4u, 127u, 300u}) {
+      for (const Word dimension : {0u, 1u, 4u, 127u, 300u}) {
         for (int m = 0; m <= 8; ++m) {
           // 1000: beyond the table of Pmj02 and the 256 samples of BlueNoise.
           for (const Word block : {0u, 1u, 3u, 1000u}) {
@@ -65,6 +68,24 @@ TEST(Sampler, BlocksAreNetsInEveryDimension) {
       }
     }
   }
+}
+
+/// Of the film's coordinates and another pair, in the first 256 samples.
+int leastTWithFilm(Word bounce, Purpose other) {
+  std::vector<std::array<float, 4>> points;
+  for (Word i = 0; i < 256; ++i) {
+    const Sampler<float> sampler({}, 77u, i);
+    const Vec2f film = sampler.get2D(0u, Purpose::Film), p = sampler.get2D(bounce, other);
+    points.push_back({film.x, film.y, p.x, p.y});
+  }
+  return test::leastT(points);
+}
+
+TEST(Sampler, FilmLensAndFirstDirectionAreStratifiedTogether) {
+  EXPECT_LE(leastTWithFilm(0u, Purpose::BsdfDirection), 3);
+  EXPECT_LE(leastTWithFilm(0u, Purpose::Lens), 4);
+  EXPECT_GT(leastTWithFilm(1u, Purpose::BsdfDirection), 4);  // one by itself
+  EXPECT_GT(leastTWithFilm(0u, Purpose::LightPosition), 4);
 }
 
 TEST(Sampler, SubSequencesOfTheFilmAreNets) {
@@ -159,7 +180,7 @@ void expectLanesAgree(const SamplerSettings& settings) {
       const auto words = randomWords(trial, static_cast<Word>(i), 3u, 4u);
       setLane(pixel, i, words[0] % 1000000u);
       setLane(sample, i, trial % 2 == 0 ? words[1] % 300u : words[1]);
-      setLane(dimension, i, words[2] % 100u);
+      setLane(dimension, i, words[2] % (trial % 3 == 0 ? 5u : 100u));  // those that are stratified together, or not
     }
     const Sampler<F> wide(settings, pixel, sample);
     const auto pairs = wide.get2D(dimension);

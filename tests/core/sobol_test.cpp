@@ -88,6 +88,38 @@ TEST(Sobol, ScrambledBlocksAreNets) {
   }
 }
 
+TEST(Sobol, ShufflesMapBlocksToBlocks) {
+  for (const SobolShuffle& shuffle : {kSobolFirst, kSobolSecond, kSobolThird}) {
+    for (int b = 0; b < 32; ++b) {
+      const Word column = shuffle[static_cast<std::size_t>(b)];
+      EXPECT_EQ(std::bit_width(column), b + 1);
+      EXPECT_EQ(shuffledTogether(1u << b, shuffle), column);
+    }
+    EXPECT_EQ(shuffledTogether(0x80402011u, shuffle),
+              shuffle[31] ^ shuffle[22] ^ shuffle[13] ^ shuffle[4] ^ shuffle[0]);
+  }
+  EXPECT_EQ(shuffledTogether(0x12345678u, kSobolFirst), 0x12345678u);
+}
+
+int leastT(const SobolShuffle& a, const SobolShuffle& b, int m) {
+  std::vector<std::array<float, 4>> points;
+  for (Word i = 0; i < (1u << m); ++i) {
+    const Vec2f p = owenSobol2D<float>(shuffledTogether(i, a), 1u, 2u);
+    const Vec2f q = owenSobol2D<float>(shuffledTogether(i, b), 3u, 4u);
+    points.push_back({p.x, p.y, q.x, q.y});
+  }
+  return test::leastT(points);
+}
+
+TEST(Sobol, PairsTogetherAreNetsOfFourCoordinates) {
+  for (int m = 0; m <= 11; ++m) {
+    EXPECT_LE(leastT(kSobolFirst, kSobolSecond, m), 3) << m;
+    EXPECT_LE(leastT(kSobolFirst, kSobolThird, m), 4) << m;
+    EXPECT_LE(leastT(kSobolSecond, kSobolThird, m), 5) << m;
+  }
+  EXPECT_EQ(leastT(kSobolSecond, kSobolSecond, 8), 7);  // a pair and itself: nothing but halves
+}
+
 TEST(Sobol, CoordinatesAreScrambledIndependently) {
   // Of one point over random seeds, each digit of y is that of x half of the time.
   constexpr int trials = 4096;

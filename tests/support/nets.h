@@ -36,4 +36,34 @@ inline bool isStratified(std::span<const float> numbers) {
   return true;
 }
 
+/// The least t for which these 2^m points of [0, 1)^4 are a (t,m,4)-net: every box of the subdivision into 2^(m-t)
+/// equal ones by halving sides, in whatever way, holds 2^t of them.
+inline int leastT(const std::vector<std::array<float, 4>>& points) {
+  const int m = std::countr_zero(points.size());
+  const auto isEven = [&](const std::array<int, 4>& halvings, int t) {
+    std::vector<int> boxes(points.size() >> t, 0);
+    for (const auto& p : points) {
+      std::size_t box = 0;
+      for (std::size_t d = 0; d < 4; ++d)
+        box = (box << halvings[d]) + static_cast<std::size_t>(p[d] * static_cast<float>(1 << halvings[d]));
+      ++boxes[box];
+    }
+    return std::all_of(boxes.begin(), boxes.end(), [&](int n) { return n == 1 << t; });
+  };
+  const auto isNet = [&](int t) {
+    const int all = m - t;
+    for (int a = 0; a <= all; ++a) {
+      for (int b = 0; a + b <= all; ++b) {
+        for (int c = 0; a + b + c <= all; ++c) {
+          if (!isEven({a, b, c, all - a - b - c}, t)) return false;
+        }
+      }
+    }
+    return true;
+  };
+  int t = 0;
+  while (!isNet(t)) ++t;
+  return t;
+}
+
 }  // namespace steradian::test
