@@ -14,7 +14,7 @@ enum class Purpose : std::uint32_t {
   LightSelect,    ///< 1D
   LightPosition,  ///< 2D
   Roulette,       ///< 1D
-  Mixture,        ///< 1D: which density of the mixture
+  Mixture,        ///< 1D: which of several targets
   Phase,          ///< 2D: scattering in a medium
   Count
 };

@@ -90,11 +90,18 @@ float mixedDensity(const PathPlan& plan, Queries& queries, const Vertex& vertex,
   return plan.targetWeight * targetPdf + (1.0f - plan.targetWeight) * scattered;
 }
 
-/// The number that chose a target at all is uniform below the weight: it chooses which one as well.
+/// Whether to aim at a target, and the numbers for the direction: the first of them chooses and is used again, so that
+/// the directions of either kind are as well distributed as all together.
 template <class F>
-F targetChoice(F choice, float weight) {
-  return minimum(choice / F(weight), F(kOneMinusEpsilon));
-}
+struct MixtureChoice {
+  MaskOf<F> aimed;
+  Vec2<F> direction;
+
+  MixtureChoice(float targetWeight, Vec2<F> u) : aimed(u.x < F(targetWeight)) {
+    const F x = select(aimed, u.x / F(targetWeight), (u.x - F(targetWeight)) / F(1.0f - targetWeight));
+    direction = {minimum(x, F(kOneMinusEpsilon)), u.y};
+  }
+};
 
 /// One direction from the mixture of targets and scattering, over its marginal density. Dirac lobes come first, with
 /// their own probability; the mixture covers the continuous ones.
@@ -103,14 +110,14 @@ BsdfSample<float> scatterMixture(const PathPlan& plan, Queries& queries, const V
                                  const Sampler<float>& sampler, std::uint32_t bounce) {
   if (random.lobe < vertex.diracProbability) return vertex.bsdf.sample(vertex.wo, random, Transport::Radiance);
   Vec3f wi;
-  const float choice = sampler.get1D(bounce, Purpose::Mixture);
-  if (choice < plan.targetWeight) {
-    const LightRandom<float> targetRandom{targetChoice(choice, plan.targetWeight), random.direction};
-    const DirectionSample<float> target = queries.sampleTarget(*plan.targets, vertex.point, targetRandom);
+  const MixtureChoice<float> choice(plan.targetWeight, random.direction);
+  if (choice.aimed) {
+    const float select = plan.targets->size() > 1 ? sampler.get1D(bounce, Purpose::Mixture) : 0.0f;
+    const DirectionSample<float> target = queries.sampleTarget(*plan.targets, vertex.point, {select, choice.direction});
     if (!(target.pdf > 0.0f)) return {};
     wi = target.wi;
   } else {
-    const BsdfSample<float> scattered = scatter(vertex, random);
+    const BsdfSample<float> scattered = scatter(vertex, {random.lobe, choice.direction});
     if (!(scattered.pdf > 0.0f)) return {};
     wi = scattered.wi;
   }

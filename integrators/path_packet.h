@@ -82,6 +82,11 @@ class PathPacket {
   void start(int i, CameraSamples<F>& samples, std::span<PixelSample> results);
   void rebuildSampler() { sampler_.emplace(samplerSettings_, pixel_, sample_); }
   void step(CameraSamples<F>& samples, std::span<PixelSample> results);
+  /// The surfaces that the paths come to. (With a conditional operator the points would be copied.)
+  SurfacePoint<F> fly() {
+    if (!hasVolumes_) return scene_.intersect(ray_, active_);
+    return flight_.fly(ray_, active_, sampler_->get2D(bounce_, Purpose::Phase), throughput_, radiance_);
+  }
   void addEmission(const SurfacePoint<F>& surface, Mask arrived);
   Vertex vertexAt(const SurfacePoint<F>& surface, Mask hit, std::span<PixelSample> results);
   [[gnu::noinline]] void addMedia(Vertex& vertex, Mask hit, std::span<PixelSample> results);
@@ -148,8 +153,14 @@ void PathPacket<F>::start(int i, CameraSamples<F>& samples, std::span<PixelSampl
 template <class F>
 void PathPacket<F>::addEmission(const SurfacePoint<F>& surface, Mask arrived) {
   const float lightSamples = static_cast<float>(plan_.lightSamples);
+  const Mask finds = scene_.findsLight(surface, arrived), sky = finds & !surface.valid;
+  if (any(sky)) {
+    const Emission<F> emission = plan_.lights->skyEmission(from_, ray_.direction);
+    const F weight = select(emission.pdf > F(0.0f), misWeight(fromDensity_, F(lightSamples) * emission.pdf), F(1.0f));
+    radiance_ = select(sky, radiance_ + throughput_ * emission.radiance * weight, radiance_);
+  }
   // Few lanes at a time: once per path at most, but for lights that one sees through glass.
-  forEachLane(scene_.findsLight(surface, arrived), [&](int i) {
+  forEachLane(finds & surface.valid, [&](int i) {
     const Emission<float> emission = plan_.lights->emission(lane(from_, i), lane(ray_, i), lane(surface, i));
     const float weight = emission.pdf > 0.0f ? misWeight(lane(fromDensity_, i), lightSamples * emission.pdf) : 1.0f;
     setLane(radiance_, i, lane(radiance_, i) + lane(throughput_, i) * emission.radiance * weight);
@@ -286,18 +297,20 @@ BsdfSample<F> PathPacket<F>::scatter(const Vertex& vertex, Mask going) {
   F lobe(0.0f);
   if (any(choosing)) lobe = select(choosing, sampler_->get1D(bounce_, Purpose::BsdfLobe), lobe);
   const BsdfRandom<F> random{lobe, sampler_->get2D(bounce_, Purpose::BsdfDirection)};
-  return plan_.targetWeight > 0.0f ? scatterMixture(vertex, random, going) : sample(vertex, random, going);
+  if (plan_.targetWeight > 0.0f) return scatterMixture(vertex, random, going);
+  return sample(vertex, random, going);
 }
 
 template <class F>
 BsdfSample<F> PathPacket<F>::scatterMixture(const Vertex& vertex, const BsdfRandom<F>& random, Mask going) {
   const Mask mixed = going & !(random.lobe < vertex.diracProbability);
-  const F choice = sampler_->get1D(bounce_, Purpose::Mixture);
-  const Mask aimed = mixed & (choice < F(plan_.targetWeight));
-  const BsdfSample<F> scattered = sample(vertex, random, going & !aimed);
+  const MixtureChoice<F> choice(plan_.targetWeight, random.direction);
+  const Mask aimed = mixed & choice.aimed;
+  const BsdfSample<F> scattered = sample(vertex, {random.lobe, choice.direction}, going & !aimed);
   DirectionSample<F> target;
   if (any(aimed)) {
-    const LightRandom<F> targetRandom{targetChoice(choice, plan_.targetWeight), random.direction};
+    const F select = plan_.targets->size() > 1 ? sampler_->get1D(bounce_, Purpose::Mixture) : F(0.0f);
+    const LightRandom<F> targetRandom{select, choice.direction};
     target = plan_.targets->sampleDirection(vertex.point, targetRandom, aimed);
   }
   const Vec3<F> wi = select(aimed, target.wi, scattered.wi);
@@ -341,9 +354,7 @@ BsdfSample<F> PathPacket<F>::shadeByLane(const SurfacePoint<F>& surface, Mask go
 
 template <class F>
 void PathPacket<F>::step(CameraSamples<F>& samples, std::span<PixelSample> results) {
-  const SurfacePoint<F> surface =
-      hasVolumes_ ? flight_.fly(ray_, active_, sampler_->get2D(bounce_, Purpose::Phase), throughput_, radiance_)
-                  : scene_.intersect(ray_, active_);
+  const SurfacePoint<F> surface = fly();
   Mask hit = active_ & surface.valid, arrived = active_;
   if (hasVolumes_) {
     arrived = active_ & !flight_.inMedium();

@@ -66,12 +66,7 @@ void LightSet::listOthers(const SceneDescription& scene, float sceneRadius, std:
 
 Emission<float> LightSet::emission(const ScatterPoint<float>& from, const Ray<float>& ray,
                                    const SurfacePoint<float>& hit) const {
-  if (!hit.valid) {
-    if (!hasSky()) return {};
-    const float probability = selection_.probability(areas_.size() + diracs_.size());
-    const float pdf = probability > 0.0f ? probability * skies_.pdf(from.geometricNormal, ray.direction) : 0.0f;
-    return {skies_.radiance(ray.direction), pdf};
-  }
+  if (!hit.valid) return skyEmission(from, ray.direction);
   const auto index = areas_.find(hit);
   if (!index) return {};
   const float probability = selection_.probability(*index);

@@ -52,6 +52,10 @@ class LightSet {
   Emission<float> emission(const ScatterPoint<float>& from, const Ray<float>& ray,
                            const SurfacePoint<float>& hit) const;
 
+  /// What a ray finds that leaves the scene along `direction`, likewise.
+  template <class F>
+  Emission<F> skyEmission(const ScatterPoint<F>& from, const Vec3<F>& direction) const;
+
   /// The radiance alone, where the density does not matter (after the camera, after Dirac bounces).
   Rgb radiance(const Ray<float>& ray, const SurfacePoint<float>& hit) const;
 
@@ -84,6 +88,14 @@ class LightSet {
   LightSelection selection_{{}};  ///< area lights, Dirac lights, skies
   std::vector<LightInfo> info_;
 };
+
+template <class F>
+Emission<F> LightSet::skyEmission(const ScatterPoint<F>& from, const Vec3<F>& direction) const {
+  if (!hasSky()) return {};
+  const float probability = selection_.probability(areas_.size() + diracs_.size());
+  const F pdf = probability > 0.0f ? F(probability) * skies_.pdf(from.geometricNormal, direction) : F(0.0f);
+  return {skies_.radiance(direction), pdf};
+}
 
 template <class F>
 LightSample<F> LightSet::sampleOne(std::size_t index, const ScatterPoint<F>& from, Vec2<F> u) const {
