@@ -18,7 +18,7 @@ class ClusterSet {
   /// it has custom shapes; of all others the set keeps what it needs. Queries run on the kernels of `isa`.
   ClusterSet(const SceneDescription& scene, std::span<const Id> shapes, Isa isa = bestIsa());
 
-  /// Number of clusters; those below are 0 to size()-1.
+  /// Number of clusters.
   std::uint32_t size() const { return clusters_.end.back(); }
   /// Bounds of the clusters, until dropBounds().
   std::span<const Bounds3> clusterBounds() const { return bounds_; }
