@@ -1,5 +1,7 @@
 #include "steradian/accel/embree_tree.h"
 
+#include <algorithm>
+#include <atomic>
 #include <memory>
 #include <new>
 
@@ -19,7 +21,10 @@ std::uint32_t thingOf(const void* leaf) {
   return static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(leaf) >> 1);
 }
 
-void* createNode(RTCThreadLocalAllocator allocator, unsigned int count, void*) {
+using NodeCount = std::atomic<std::size_t>;
+
+void* createNode(RTCThreadLocalAllocator allocator, unsigned int count, void* nodes) {
+  ++*static_cast<NodeCount*>(nodes);
   Built* node = new (rtcThreadLocalAlloc(allocator, sizeof(Built), alignof(Built))) Built;
   node->count = count;
   return node;
@@ -94,9 +99,12 @@ ClusterTree buildTree(const Device& device, std::span<const Bounds3> bounds, flo
   arguments.setNodeChildren = setChildren;
   arguments.setNodeBounds = setBounds;
   arguments.createLeaf = createLeaf;
+  NodeCount nodes = 0;
+  arguments.userPtr = &nodes;
   const void* root = rtcBuildBVH(&arguments);
   device.check();
   ClusterTree tree;
+  tree.nodes.reserve(nodes);
   if (root) append(*static_cast<const Built*>(root), tree);
   return tree;
 }
