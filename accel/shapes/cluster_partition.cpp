@@ -60,10 +60,10 @@ class CutSearch {
     forEachLookedAt([&](const ClusterItem& item) {
       for (std::size_t a = 0; a < kAxes.size(); ++a) {
         Along& along = axes_[a];
+        // Not a number where items are too far apart, or too near one another, for floats: the last bin will do.
         const float place = (middleOf(item, kAxes[a]) - along.low) * along.scale;
-        Bin& bin = along.bins[std::min(kBins - 1, static_cast<std::size_t>(place))];
-        ++bin.count;
-        bin.bounds.include(item.bounds);
+        const bool isInside = place < static_cast<float>(kBins);
+        along.bins[isInside ? static_cast<std::size_t>(place) : kBins - 1].add({1, item.bounds});
       }
     });
   }
@@ -83,6 +83,11 @@ class CutSearch {
   struct Bin {
     std::size_t count = 0;
     Bounds3 bounds;
+
+    void add(const Bin& bin) {
+      count += bin.count;
+      bounds.include(bin.bounds);
+    }
   };
   struct Along {
     float low, scale;
@@ -93,24 +98,21 @@ class CutSearch {
   void forEachLookedAt(const Visit& visit) const {
     for (std::size_t i = 0; i < items_.size(); i += step_) visit(items_[i]);
   }
-  float costOf(const Bounds3& bounds, std::size_t count) const {
-    return halfArea(bounds) * static_cast<float>(clustersOf(count * step_));
+  /// No side may be empty.
+  float costOf(const Bin& side) const {
+    return side.count == 0 ? kInfinity : halfArea(side.bounds) * static_cast<float>(clustersOf(side.count * step_));
   }
   void search(const Along& along, float Vec3f::*axis, Cut& best, float& least) const {
     float above[kBins];
     Bin rest;
-    const auto add = [](Bin& to, const Bin& bin) {
-      to.count += bin.count;
-      to.bounds.include(bin.bounds);
-    };
     for (std::size_t i = kBins; i-- > 1;) {
-      add(rest, along.bins[i]);
-      above[i] = rest.count == 0 ? kInfinity : costOf(rest.bounds, rest.count);
+      rest.add(along.bins[i]);
+      above[i] = costOf(rest);
     }
     Bin below;
     for (std::size_t i = 1; i < kBins; ++i) {
-      add(below, along.bins[i - 1]);
-      const float cost = costOf(below.bounds, below.count) + above[i];
+      below.add(along.bins[i - 1]);
+      const float cost = costOf(below) + above[i];
       if (cost < least) {
         least = cost;
         best = {axis, below.count * step_};
@@ -160,7 +162,7 @@ class SizeClasses {
   int operator()(const ClusterItem& item) const { return (exponent(extentOf(item)) - median_ + 5 * 64 + 2) / 5 - 64; }
 
  private:
-  static int exponent(float extent) { return extent > 0.0f ? std::ilogb(extent) : -149; }
+  static int exponent(float extent) { return extent > 0.0f ? std::min(std::ilogb(extent), 128) : -149; }
   int median_;
 };
 

@@ -35,6 +35,7 @@ bool anyInOne(const Clusters& clusters, std::uint32_t cluster, const Ray<float>&
   if (clusters.visit(cluster, [&](const auto& c) { hit = meetAny(c, lanes); })) return hit;
   return anyInCustom(clusters.customOf(cluster), ray);
 }
+
 /// A ray against the bounds of a node's children (Kay & Kajiya 1986), which are wide enough for rounding. The ray is
 /// the same in all lanes: along each axis it enters all boxes on the same side.
 class RayToNode {

@@ -166,6 +166,26 @@ TEST(ClusterPartition, GiantsAreAlone) {
   EXPECT_LE(p.ranges.size(), 66u);
 }
 
+TEST(ClusterPartition, HoldsEveryPrimitiveOnceAtTheEndsOfFloats) {
+  for (const float scale : {1e38f, 3e38f, 1e-38f, 1e-44f, 0.0f}) {
+    Random random(8);
+    std::vector<Bounds3> all(300);
+    for (Bounds3& b : all) {
+      b.include(random.point(1.0f) * scale);
+      b.include(random.point(1.0f) * scale);
+    }
+    expectEveryOneOnce(partition(all), all.size());
+  }
+}
+
+TEST(ClusterPartition, SmallPartsOfMuchAreCutInTheMiddleInTheEnd) {
+  // Each ten times as far away as the one before: a plane parts one from all others.
+  std::vector<Bounds3> all(5000, Bounds3{{0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.0f}});
+  float place = 1e-37f;
+  for (std::size_t i = 0; i < 75; ++i, place *= 10.0f) all[i] = {{place, place, place}, {place, place, place}};
+  expectEveryOneOnce(partition(all), all.size());
+}
+
 TEST(ClusterPartition, DoesNotDependOnTheNumberOfThreads) {
   Random random(6);
   std::vector<Bounds3> all = randomBounds(random, 30000, 10.0f, 0.1f);
