@@ -58,10 +58,12 @@ double luminanceOf(const std::array<double, 3>& rgb) {
   return luminanceWeights[0] * rgb[0] + luminanceWeights[1] * rgb[1] + luminanceWeights[2] * rgb[2];
 }
 
-/// Standard error of the luminance of pixel i; 0 for a null image.
+/// What the luminance of each pixel adds to the variance of sums over pixels; 0 for a null image.
 class LuminanceErrors {
  public:
-  LuminanceErrors(const Image* image, double degreesOfFreedom) : image_(image), dof_(degreesOfFreedom) {
+  /// Of g pixels that err alike the sum has g times the variance, and they know it as well as one of them does.
+  LuminanceErrors(const Image* image, double degreesOfFreedom, double correlatedPixels)
+      : image_(image), correlatedPixels_(correlatedPixels), dof_(degreesOfFreedom / correlatedPixels) {
     if (!image_) return;
     auto channel = image_->findChannel("StdErr.Y");
     if (!channel) channel = image_->findChannel("Y");
@@ -71,20 +73,20 @@ class LuminanceErrors {
       channels_ = colourOf(*image_);
     }
   }
-  double operator[](std::size_t i) const {
+  double variance(std::size_t i) const {
     if (!image_) return 0.0;
-    double sum = 0.0;
+    double sum = 0.0;  // standard error
     const auto stride = static_cast<std::size_t>(image_->channelCount());
     for (std::size_t c = 0; c < 3; ++c) {
       sum += luminanceWeights[c] * image_->values()[i * stride + static_cast<std::size_t>(channels_[c])];
     }
-    return sum;
+    return sum * sum * correlatedPixels_;
   }
   double degreesOfFreedom() const { return dof_; }
 
  private:
   const Image* image_;
-  double dof_;
+  double correlatedPixels_, dof_;
   std::array<int, 3> channels_{};
 };
 
@@ -131,7 +133,7 @@ struct Comparison {
     for (int y = y0; y < std::min(y0 + size, height); ++y) {
       for (int x = x0; x < std::min(x0 + size, width); ++x) {
         const auto i = static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
-        const double va = aErrors[i] * aErrors[i], vb = bErrors[i] * bErrors[i];
+        const double va = aErrors.variance(i), vb = bErrors.variance(i);
         pool.add({luminanceOf(a[i]), luminanceOf(b[i]), va + vb,
                   va * va / aErrors.degreesOfFreedom() + vb * vb / bErrors.degreesOfFreedom()});
       }
@@ -142,7 +144,8 @@ struct Comparison {
 
 void checkSettings(const ZTestSettings& s) {
   const bool good = s.blockSize >= 1 && s.alpha > 0.0 && s.alpha < 1.0 && s.roundOffFloor >= 0.0 &&
-                    s.degreesOfFreedomA > 0.0 && s.degreesOfFreedomB > 0.0;
+                    s.degreesOfFreedomA > 0.0 && s.degreesOfFreedomB > 0.0 && s.correlatedPixelsA >= 1.0 &&
+                    s.correlatedPixelsB >= 1.0;
   if (!good) throw Error(ErrorKind::Usage, "the settings of a Z-test are out of range");
 }
 
@@ -250,8 +253,8 @@ ZTestResult zTest(const Image& a, const Image* aStdErr, const Image& b, const Im
   if (bStdErr) checkSameShape(b, *bStdErr);
   const Comparison comparison{Colours(a),
                               Colours(b),
-                              LuminanceErrors(aStdErr, settings.degreesOfFreedomA),
-                              LuminanceErrors(bStdErr, settings.degreesOfFreedomB),
+                              LuminanceErrors(aStdErr, settings.degreesOfFreedomA, settings.correlatedPixelsA),
+                              LuminanceErrors(bStdErr, settings.degreesOfFreedomB, settings.correlatedPixelsB),
                               a.width(),
                               a.height()};
   ZTestResult result;

@@ -41,6 +41,10 @@ struct ZTestSettings {
   /// Degrees of freedom of the standard errors of one pixel: 7 for the spread of eight parts. May be infinite.
   double degreesOfFreedomA = 7.0;
   double degreesOfFreedomB = 7.0;
+  /// Most pixels of a picture that err alike, in blocks that share paths. Variances of means are those of independent
+  /// pixels times this: the largest that such errors allow.
+  double correlatedPixelsA = 1.0;
+  double correlatedPixelsB = 1.0;
 };
 
 struct ZTestResult {
@@ -62,7 +66,8 @@ struct ZTestResult {
 };
 
 /// Tests in luminance (.2126 R + .7152 G + .0722 B) whether two pictures are estimates of the same one: per block, the
-/// difference of means against the pooled standard errors of its pixels, which are taken as independent.
+/// difference of means against the pooled standard errors of its pixels, which are taken as independent but for
+/// `correlatedPixels`.
 ///
 /// Standard errors are those of the pixels' means: an image with a channel "StdErr.Y" (a render itself will do) or "Y";
 /// else R, G, B, which are then taken as fully correlated, the largest error that they allow. Null: that picture is

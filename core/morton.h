@@ -14,6 +14,15 @@ constexpr std::uint32_t spreadBits(std::uint32_t x) {
   return (x | (x << 1)) & 0x55555555u;
 }
 
+/// The bits in the even places, moved together: the inverse of spreadBits.
+constexpr std::uint32_t gatherBits(std::uint32_t x) {
+  x &= 0x55555555u;
+  x = (x | (x >> 1)) & 0x33333333u;
+  x = (x | (x >> 2)) & 0x0f0f0f0fu;
+  x = (x | (x >> 4)) & 0x00ff00ffu;
+  return (x | (x >> 8)) & 0x0000ffffu;
+}
+
 /// The number of pixel (x, y), of which the lower 16 bits count: the bits of x in the even places, those of y in the
 /// odd ones.
 constexpr std::uint32_t mortonOf(std::uint32_t x, std::uint32_t y) { return spreadBits(x) | (spreadBits(y) << 1); }

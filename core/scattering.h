@@ -69,6 +69,14 @@ ScatterPoint<float> lane(const ScatterPoint<F>& p, int i) {
   return {lane(p.position, i), lane(p.positionError, i), lane(p.geometricNormal, i), lane(p.time, i)};
 }
 
+template <class F>
+void setLane(ScatterPoint<F>& p, int i, const ScatterPoint<float>& value) {
+  setLane(p.position, i, value.position);
+  setLane(p.positionError, i, value.positionError);
+  setLane(p.geometricNormal, i, value.geometricNormal);
+  setLane(p.time, i, value.time);
+}
+
 /// A direction towards something, with its density.
 template <class F>
 struct DirectionSample {

@@ -30,7 +30,7 @@ void renderTile(const RadianceIntegrator& integrator, const RenderJob& job, Pass
 }  // namespace
 
 void RadianceIntegrator::renderPass(const RenderJob& job, PassRange pass, Film& film) const {
-  renderTiles(job, pass, film.crop(),
+  renderTiles(job, pass, film.crop(), 1,
               [&](const Crop& tile, PathCounts& counts) { renderTile(*this, job, pass, tile, film, counts); });
 }
 

@@ -21,6 +21,9 @@ class Integrator {
   /// if the integrator cannot render the scene as it is set.
   virtual std::unique_ptr<const Integrator> prepare(const Scene&) const { return nullptr; }
 
+  /// Most pixels that err alike, as a block does whose pixels share paths; 1: the errors of pixels are independent.
+  virtual std::uint32_t correlatedPixels() const { return 1; }
+
   /// Adds the samples pass.first, ..., pass.end - 1 of each pixel of the film's crop to the film, with TBB in the
   /// caller's arena. Asks job.monitor between tiles whether to stop: a pixel has all samples of a pass or none.
   virtual void renderPass(const RenderJob& job, PassRange pass, Film& film) const = 0;

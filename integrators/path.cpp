@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 
 #include "steradian/integrators/wide_path.h"
 
@@ -21,6 +22,7 @@ PathPlan planFor(const Scene& scene, const PathSettings& settings) {
       .lightSamples = settings.lightSamples,
       .rouletteStart = settings.rouletteStart,
       .rouletteStrength = settings.rouletteStrength,
+      .reuse = settings.reuse,
       .targetWeight = 0.0f,
       .lights = &scene.lights(),
       .diracLights = &scene.lights(),
@@ -54,10 +56,20 @@ PathIntegrator::PathIntegrator(const PathSettings& settings) : settings_(setting
   if (std::find(widths.begin(), widths.end(), settings.width) == widths.end()) {
     wrong.error({}, fmt::format("the width must be 1, 4, 8 or 16, or 0 for the widest, not {}", settings.width));
   }
+  if (settings.reuse < 1 || settings.reuse > PathSettings::kMostReuse || !std::has_single_bit(settings.reuse)) {
+    wrong.error({}, fmt::format("reuse must be 1, 2, 4, 8, 16 or 32, not {}", settings.reuse));
+  }
+  if (settings.reuse > 1 && (settings.width == 1 || settings.scatterPdf != ScatterPdf::Bsdf)) {
+    wrong.error({}, "reuse needs width 0, 4, 8 or 16 and scatter-pdf bsdf");
+  }
   wrong.throwIfErrors(ErrorKind::Usage);
 }
 
 std::unique_ptr<const Integrator> PathIntegrator::prepare(const Scene& scene) const {
+  if (settings_.reuse > 1 && (!scene.volumes().empty() || scene.geometry().dependsOnTime())) {
+    throw Error(ErrorKind::Usage,
+                "paths are not reused in scenes with media, nested bodies or motion: leave out reuse");
+  }
   if (settings_.width == 1) return std::make_unique<PathTracer>(scene, settings_);
   const std::uint32_t width = settings_.width == 0 ? nativeWidth(scene.geometry().isa()) : settings_.width;
   return std::make_unique<WidePathTracer>(scene, settings_, width);

@@ -15,7 +15,9 @@ class PathIntegrator final : public Integrator {
 
   const PathSettings& settings() const { return settings_; }
 
-  /// Throws Error (Usage) if a target is neither a shape of the scene nor "lights".
+  std::uint32_t correlatedPixels() const override { return settings_.reuse; }
+  /// Throws Error (Usage) if a target is neither a shape of the scene nor "lights", and if paths are to be reused in a
+  /// scene with media or motion.
   std::unique_ptr<const Integrator> prepare(const Scene& scene) const override;
   void renderPass(const RenderJob& job, PassRange pass, Film& film) const override;
 

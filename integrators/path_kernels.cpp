@@ -1,6 +1,6 @@
 #include "steradian/integrators/path_kernels.h"
 
-#include "steradian/integrators/path_packet.h"
+#include "steradian/integrators/camera_paths.h"
 
 namespace steradian {
 namespace {
@@ -23,7 +23,8 @@ void renderTile(const WideScene& scene, const PathPlan& plan, const RenderJob& j
     const Crop strip{tile.x0, tile.x1, y, std::min(y + rows, tile.y1)};
     CameraSamples<F> samples(job, strip, pass);
     results.resize(samples.count());
-    PathPacket<F>(scene, plan, job, counts).run(samples, results);
+    CameraPaths<F> paths(samples, results);
+    PathPacket<F>(scene, plan, job.samplerSettings, counts).run(paths);
     std::span<const PixelSample> left = results;
     for (int row = strip.y0; row < strip.y1; ++row) {
       for (int x = strip.x0; x < strip.x1; ++x) {

@@ -25,6 +25,7 @@ struct PathPlan {
   ScatterPdf scatterPdf;
   std::uint32_t maxDepth, lightSamples, rouletteStart;
   float rouletteStrength;
+  std::uint32_t reuse = 1;      ///< see PathSettings
   float targetWeight;           ///< 0 where there is no target
   const LightSet* lights;       ///< sampled at vertices
   const LightSet* diracLights;  ///< sampled at those that PathVertex::lightSampled is false for

@@ -27,7 +27,7 @@ enum class ScatterPdf {
 };
 
 struct PathSettings {
-  static constexpr std::uint32_t kDeepest = 100000, kMostLightSamples = 1024;
+  static constexpr std::uint32_t kDeepest = 100000, kMostLightSamples = 1024, kMostReuse = 32;
 
   Strategy strategy = Strategy::Mis;
   ScatterPdf scatterPdf = ScatterPdf::Bsdf;
@@ -47,6 +47,11 @@ struct PathSettings {
   /// Mixture, Mis: names of shapes and `lights`; none: those that the scene flags; for Mixture or else its
   /// lights, for Mis those that do not emit.
   std::vector<std::string> targets = {};
+  /// That many neighbouring pixels, 1 or a power of two up to kMostReuse, share what their paths find after the second
+  /// vertex (shared_paths.h). Where most light comes from Lambertian surfaces by way of others, pixels have several
+  /// times less noise in the same time; but those that share err together, as a block. Not for scenes with media or
+  /// motion, nor for width 1 or another scatterPdf. Roulette begins with the second vertex at the earliest.
+  std::uint32_t reuse = 1;
   /// Paths traced at once: 1, 4, 8, 16, or 0 for as many as an instruction of the processor holds floats. A matter of
   /// speed only.
   std::uint32_t width = 0;

@@ -89,6 +89,7 @@ RenderResult render(const Scene& scene, const Integrator& integrator, const Rend
   const std::unique_ptr<const Integrator> prepared = integrator.prepare(scene);
   const Integrator& active = prepared ? *prepared : integrator;
   statistics.prepareSeconds = secondsSince(start);
+  statistics.correlatedPixels = integrator.correlatedPixels();
 
   const Crop& crop = film.crop();
   const auto pixels = static_cast<std::uint64_t>(crop.x1 - crop.x0) * static_cast<std::uint64_t>(crop.y1 - crop.y0);

@@ -17,9 +17,10 @@ void RenderMonitor::finishedTile(std::uint64_t samples, const PathCounts& counts
 std::vector<Crop> tilesOf(const Crop& crop, int size) {
   size = std::min(size, Image::maxSide);  // sums of coordinates must not overflow
   std::vector<Crop> tiles;
-  for (int y = crop.y0; y < crop.y1; y += size) {
-    for (int x = crop.x0; x < crop.x1; x += size) {
-      tiles.push_back({x, std::min(x + size, crop.x1), y, std::min(y + size, crop.y1)});
+  for (int y = crop.y0 / size * size; y < crop.y1; y += size) {
+    for (int x = crop.x0 / size * size; x < crop.x1; x += size) {
+      tiles.push_back(
+          {std::max(x, crop.x0), std::min(x + size, crop.x1), std::max(y, crop.y0), std::min(y + size, crop.y1)});
     }
   }
   return tiles;

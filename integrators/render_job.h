@@ -91,7 +91,7 @@ struct RenderJob {
   }
 };
 
-/// The crop cut into squares of edge `size`, row by row; those at the right and bottom edge may be smaller.
+/// The crop cut by the squares of edge `size` that the picture is divided into from its corner (0, 0), row by row.
 std::vector<Crop> tilesOf(const Crop& crop, int size);
 
 }  // namespace steradian

@@ -30,6 +30,7 @@ Image renderedImage(const RenderResult& result, const Scene& scene, const FilmIm
   // As text: EXR has no unsigned integers.
   metadata["steradian.seed"] = std::to_string(result.settings.seed);
   metadata["steradian.replicates"] = std::to_string(result.settings.replicates);
+  metadata["steradian.correlatedPixels"] = std::to_string(result.statistics.correlatedPixels);
   metadata["steradian.sampler"] = std::string(nameOf(result.settings.sampler));
   metadata["steradian.ledger"] = result.film.ledger().text();
   return image;

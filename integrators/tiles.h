@@ -8,11 +8,12 @@
 
 namespace steradian {
 
-/// Calls renderTile(tile, counts) for each tile of the crop until the job is to stop. A tile must add all samples of
-/// the pass to each of its pixels.
+/// Calls renderTile(tile, counts) for each tile of the crop until the job is to stop; edges of tiles are multiples of
+/// `unit`. A tile must add all samples of the pass to each of its pixels.
 template <class RenderTile>
-void renderTiles(const RenderJob& job, PassRange pass, const Crop& crop, const RenderTile& renderTile) {
-  const std::vector<Crop> tiles = tilesOf(crop, job.tileSize);
+void renderTiles(const RenderJob& job, PassRange pass, const Crop& crop, int unit, const RenderTile& renderTile) {
+  const int size = std::min(job.tileSize, Image::maxSide);  // rounding up must not overflow
+  const std::vector<Crop> tiles = tilesOf(crop, (size + unit - 1) / unit * unit);
   tbb::parallel_for(
       tbb::blocked_range<std::size_t>(0, tiles.size(), 1),
       [&](const tbb::blocked_range<std::size_t>& range) {

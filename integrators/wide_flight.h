@@ -9,6 +9,12 @@
 
 namespace steradian {
 
+/// Calls visit(i) for the lanes of the mask, in order.
+template <class Mask, class Visit>
+void forEachLane(Mask mask, const Visit& visit) {
+  for (std::uint32_t bits = laneBits(mask); bits != 0; bits &= bits - 1) visit(std::countr_zero(bits));
+}
+
 template <class F>
 class WideFlight {
  public:
@@ -47,10 +53,6 @@ class WideFlight {
   using AllCrossings = std::array<Crossings, static_cast<std::size_t>(width)>;
 
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
-  template <class Visit>
-  static void forEachLane(Mask mask, const Visit& visit) {
-    for (std::uint32_t bits = laneBits(mask); bits != 0; bits &= bits - 1) visit(std::countr_zero(bits));
-  }
   /// Lanes that leave a closed surface to its other side.
   Mask changesBodies(const SurfacePoint<F>& surface, const Vec3<F>& wo, const Vec3<F>& wi, Mask lanes) const {
     const Vec3<F>& n = surface.geometricNormal;

@@ -19,6 +19,7 @@ class WidePathTracer final : public Integrator {
   PathTracer reference_;
   WideScene wide_;
   RenderPathTile renderTile_;
+  int tileUnit_;
 };
 
 }  // namespace steradian

@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -47,6 +49,11 @@ struct Picture {
     if (separateErrors) return &*separateErrors;
     return image.findChannel("StdErr.Y") ? &image : nullptr;
   }
+  /// How many of its pixels err alike at most; a render says so.
+  double correlatedPixels() const {
+    const auto* text = findMetadata<std::string>(image.metadata(), "steradian.correlatedPixels");
+    return text != nullptr ? std::max(std::atoi(text->c_str()), 1) : 1.0;
+  }
   /// Standard errors by colour, which relMSE can subtract. The colours of a render beside its StdErr.Y are none.
   const Image* colourErrors() const {
     const bool byColour = separateErrors && separateErrors->findRgb() && !separateErrors->findChannel("StdErr.Y");
@@ -62,7 +69,8 @@ Difference compare(const Picture& picture, const Picture& reference) {
   d.imageMean = channelMeans(picture.image);
   d.referenceMean = channelMeans(reference.image);
   if (picture.errors() != nullptr || reference.errors() != nullptr)
-    d.z = zTest(picture.image, picture.errors(), reference.image, reference.errors());
+    d.z = zTest(picture.image, picture.errors(), reference.image, reference.errors(),
+                {.correlatedPixelsA = picture.correlatedPixels(), .correlatedPixelsB = reference.correlatedPixels()});
   if (d.z && d.z->knownBlocks == 0) d.z.reset();  // a render of one sample does not know its error
   return d;
 }

@@ -34,7 +34,8 @@ std::string integratorHelp() {
 
 constexpr const char* kNotes =
     "\nOf an option that is given twice the last counts. $OCIO names another colour configuration for --display and\n"
-    "--view. --strategy, --max-depth, --target and --width are short for keys of --integrator path.\n";
+    "--view. --strategy, --max-depth, --target, --reuse and --width are short for\n"
+    "keys of --integrator path.\n";
 
 /// Runs a parser of the library that throws, and keeps its complaints.
 template <class Parse>
@@ -108,6 +109,7 @@ std::string integratorSpec(const RenderTexts& texts) {
   if (texts.strategy) spec += ":strategy=" + *texts.strategy;
   if (texts.maxDepth) spec += ":max-depth=" + *texts.maxDepth;
   if (texts.targets) spec += ":targets=" + *texts.targets;
+  if (texts.reuse) spec += ":reuse=" + *texts.reuse;
   if (texts.pathWidth) spec += ":width=" + *texts.pathWidth;
   return spec;
 }
@@ -254,6 +256,9 @@ void declareRenderOptions(CLI::App& command, RenderTexts& texts) {
   option("--target", texts.targets, "NAMES",
          "what scattered rays aim at (mis, mixture): names of shapes,\nor lights; separated by commas (default: the "
          "scene's)");
+  option("--reuse", texts.reuse, "N",
+         "2, 4, 8, 16 or 32 neighbouring pixels share paths: in diffuse\nscenes far less noise, but they err alike "
+         "(default 1: none)");
   option("--width", texts.pathWidth, "N", "paths traced at once: 1, 4, 8 or 16; 0 (default): as many as pay here");
   option(
       "--isa", texts.isa, "NAME",

@@ -24,7 +24,7 @@ struct RenderTexts {
   std::vector<std::string> outputs;
   std::optional<std::string> size, samples, time, seed, threads, crop, tileSize;
   std::optional<std::string> sampler, filter, replicates;
-  std::optional<std::string> integrator, strategy, maxDepth, targets, pathWidth, isa;
+  std::optional<std::string> integrator, strategy, maxDepth, targets, reuse, pathWidth, isa;
   std::optional<std::string> texture, sky;
   std::optional<std::string> format, display, view, exposure;
   std::optional<std::string> statistics;

@@ -157,6 +157,23 @@ TEST(Reference, CornellGlassGrayByTheBooksMixture) {
   expectAgreement(renderScene(greyed("cornell-glass-sphere"), "path:strategy=mixture", 1024), "cornell_glass_gray");
 }
 
+/// 4 x 4 pixels err alike.
+const ZTestSettings kShared{.correlatedPixelsA = 16.0};
+
+TEST(Reference, SharedPaths) {
+  expectAgreement(renderScene(greyCornellBox(), "path:reuse=16", 128), "cornell_gray", kShared);
+  expectAgreement(renderScene(greyed("cornell-glass-sphere"), "path:reuse=16", 256), "cornell_glass_gray", kShared);
+  expectAgreement(renderScene(instancesRoom(), "path:max-depth=8:reuse=16", 128), "instances", kShared);
+}
+
+TEST(Reference, SharedPathsTwoPercentTooBrightAreFound) {
+  SceneDescription scene = greyCornellBox();
+  scene.emissions.at(0).radiance *= 1.02f;
+  const Image ours = renderScene(std::move(scene), "path:reuse=16", 512);
+  const Image theirs = readReference("cornell_gray.exr"), error = readReference("cornell_gray.stderr.exr");
+  EXPECT_FALSE(zTest(ours, &ours, theirs, &error, kShared).passed);
+}
+
 TEST(Reference, OnePercentTooBrightIsFound) {
   SceneDescription scene = greyCornellBox();
   scene.emissions.at(0).radiance *= 1.01f;

@@ -215,6 +215,8 @@ TEST(RenderOptions, NamesThatNobodyKnows) {
       {{"--strategy", "miss"}, R"(not "miss" (did you mean "mis"?))"},
       {{"--width", "5"}, "the width must be 1, 4, 8 or 16"},
       {{"--width", "17"}, "width"},
+      {{"--reuse", "6"}, "reuse must be 1, 2, 4, 8, 16 or 32"},
+      {{"--reuse", "8", "--width", "1"}, "reuse needs width"},
       {{"--strategy", ""}, R"(not "")"},
       {{"--integrator", "pth"}, R"(did you mean "path"?)"},
       {{"--integrator", "path:light-sample=4"}, R"(did you mean "light-samples"?)"},

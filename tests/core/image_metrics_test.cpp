@@ -116,6 +116,34 @@ TEST(ZTest, NoiseFailsAtTheNominalRate) {
   }
 }
 
+/// Blocks of 2 x 2 pixels that err alike, as if they shared all of their paths.
+TEST(ZTest, PixelsThatErrAlikeAreNoReasonToFail) {
+  constexpr int trials = 100;
+  std::mt19937 random(11);
+  int taken = 0, ignored = 0;
+  for (int i = 0; i < trials; ++i) {
+    Noisy a = render(random, 32, 0.05, 0.0, 8), b = render(random, 32, 0.05, 0.0, 8);
+    for (Noisy* one : {&a, &b}) {
+      for (int y = 0; y < 32; ++y) {
+        for (int x = 0; x < 32; ++x) {
+          for (int c = 0; c < one->image.channelCount(); ++c) {
+            one->image.at(x, y, c) = one->image.at(x & ~1, y & ~1, c);
+          }
+          for (int c = 0; c < one->stdErr.channelCount(); ++c) {
+            one->stdErr.at(x, y, c) = one->stdErr.at(x & ~1, y & ~1, c);
+          }
+        }
+      }
+    }
+    ZTestSettings settings{.alpha = 0.1, .roundOffFloor = 0.0};
+    ignored += zTest(a.image, &a.stdErr, b.image, &b.stdErr, settings).passed ? 0 : 1;
+    settings.correlatedPixelsA = settings.correlatedPixelsB = 4.0;
+    taken += zTest(a.image, &a.stdErr, b.image, &b.stdErr, settings).passed ? 0 : 1;
+  }
+  EXPECT_LE(taken, 22);
+  EXPECT_GE(ignored, 50);
+}
+
 /// Blocks of one pixel are Student's t with 7 degrees of freedom: taken for normal they fail far too often.
 TEST(ZTest, DegreesOfFreedomMatter) {
   std::mt19937 random(3);

@@ -16,6 +16,13 @@ TEST(Morton, NumbersSquaresInZ) {
   EXPECT_EQ(mortonOf(0x12345, 0x23456), mortonOf(0x2345, 0x3456));
 }
 
+TEST(Morton, GatheringIsTheInverseOfSpreading) {
+  for (const std::uint32_t x : {0u, 1u, 0x1234u, 0xabcdu, 0xffffu}) {
+    EXPECT_EQ(gatherBits(spreadBits(x)), x);
+    EXPECT_EQ(gatherBits(spreadBits(x) | 0xaaaaaaaau), x);
+  }
+}
+
 TEST(Morton, AlignedSquaresAreAlignedBlocks) {
   for (std::uint32_t y = 0; y < 64; ++y) {
     for (std::uint32_t x = 0; x < 64; ++x) {

@@ -12,48 +12,19 @@
 #include "steradian/integrators/render.h"
 #include "steradian/tests/integrators/moving_scenes.h"
 #include "steradian/tests/integrators/small_scenes.h"
+#include "steradian/tests/integrators/wide_rendering.h"
 
 namespace steradian {
 namespace {
 
+using test::everythingRoom;
+using test::expectEqual;
+using test::kFlat;
+using test::openScene;
+using test::plainRoom;
+using test::Rendered;
+using test::renderWith;
 using test::settingsOf;
-
-/// Every kind of shape and of material, an area, a point and a spot light.
-SceneDescription everythingRoom() {
-  SceneDescription s = test::room();
-  const Id brown = s.addColour({0.5f, 0.3f, 0.1f});
-  const Id checker = s.addTexture(CheckerTexture{brown, s.addColour({0.9f, 0.8f, 0.1f}), 0.1f});
-  test::addSphere(s, {-0.5f, -0.7f, 0.3f}, 0.3f, s.addMaterial("glass", DielectricMaterial{1.5f, false}));
-  test::addSphere(s, {0.5f, -0.7f, 0.5f}, 0.3f, s.addMaterial("book's glass", DielectricMaterial{1.5f, true}));
-  test::addSphere(s, {0.0f, -0.8f, 0.6f}, 0.2f, s.addMaterial("metal", MetalMaterial{brown, 0.3f}));
-  test::addSphere(s, {0.0f, -0.3f, -0.6f}, 0.3f, s.addMaterial("mirror", MetalMaterial{brown, 0.0f}));
-  const Id coat = s.addMaterial("coat", CoatedMaterial{brown, 1.5f});
-  test::addBox(s, {0.5f, -0.5f, -0.4f}, {0.2f, 0.5f, 0.2f}, 20.0f, coat);
-  BoxSet turned;
-  turned.centerX = {-0.5f}, turned.centerY = {-0.2f}, turned.centerZ = {-0.5f};
-  turned.halfX = {0.2f}, turned.halfY = {0.1f}, turned.halfZ = {0.3f};
-  turned.rotationW = {0.8f}, turned.rotationX = {0.36f}, turned.rotationY = {0.0f}, turned.rotationZ = {0.48f};
-  s.addShape("turned", turned, s.addMaterial("checkered", LambertMaterial{checker}));
-  DiskSet disk;
-  disk.add({0.3f, 0.3f, -0.9f}, {0.0f, 0.0f, 1.0f}, 0.3f);
-  s.setEmission(s.addShape("disk", disk, test::addAbsorber(s)), {{1.0f, 2.0f, 3.0f}, true});
-  TriangleMesh mesh;
-  mesh.positions = {{-0.9f, 0.5f, -0.5f}, {-0.4f, 0.5f, -0.5f}, {-0.6f, 0.9f, -0.3f}, {-0.2f, 0.9f, -0.7f}};
-  mesh.indices = {0, 1, 2, 2, 1, 3};
-  s.addShape("mesh", mesh, s.addMaterial("uniform", UniformDiffuseMaterial{brown}));
-  s.addLight("bulb", PointLight{{0.0f, 0.2f, 0.8f}, grey(0.3f)});
-  s.addLight("spot", SpotLight{{0.5f, 0.8f, 0.5f}, {-0.5f, -1.0f, -0.3f}, grey(0.5f), 20.0f, 35.0f});
-  return s;
-}
-
-/// The same without a texture, so that it is tested with all lanes at once.
-SceneDescription plainRoom() {
-  SceneDescription s = everythingRoom();
-  for (MaterialDescription& m : s.materials) {
-    if (m.name == "checkered") m.model = LambertMaterial{s.addColour({0.2f, 0.4f, 0.6f})};
-  }
-  return s;
-}
 
 /// Textures in space, for which all lanes are tested at once as well, and with `picture` one over (u, v).
 SceneDescription texturedRoom(bool picture) {
@@ -65,18 +36,6 @@ SceneDescription texturedRoom(bool picture) {
   for (std::size_t i = 0; i < image.values().size(); ++i) image.values()[i] = 0.02f * static_cast<float>(i + 1);
   texture = s.addTexture(ImageTexture{.image = std::make_shared<const Image>(image), .repeatU = 2.5f});
   test::addSphere(s, {0.6f, 0.4f, -0.2f}, 0.25f, s.addMaterial("picture", LambertMaterial{texture}));
-  return s;
-}
-
-/// However many clusters there are, without a hierarchy.
-const SceneSettings kFlat{.geometry = {.mostWithoutTree = 64}, .lights = {}};
-
-/// Under the sky, with a distant light: paths leave the scene.
-SceneDescription openScene() {
-  SceneDescription s = test::sphereInSky(CoatedMaterial{});
-  std::get<CoatedMaterial>(s.materials[0].model).reflectance = s.addColour({0.6f, 0.2f, 0.3f});
-  s.addLight("sun", DistantLight{{-1.0f, -2.0f, -0.5f}, grey(1.0f)});
-  s.addLight("dusk", GradientSky{{0.1f, 0.1f, 0.1f}, {0.2f, 0.3f, 0.5f}});
   return s;
 }
 
@@ -94,26 +53,6 @@ SceneDescription smokyScene() {
   s.shapes[test::addSphere(s, {-0.1f, 0.0f, 0.5f}, 0.25f, water)].interior =
       Interior{s.addMedium({.name = "milk", .scattering = grey(3.0f), .anisotropy = -0.2f}), 1};
   return s;
-}
-
-struct Rendered {
-  std::vector<float> values;
-  PathCounts counts;
-};
-
-Rendered renderWith(const Scene& scene, const std::string& integrator, const RenderSettings& settings) {
-  const RenderResult result = render(scene, *makeIntegrator(integrator), settings);
-  const Image image = result.film.image();
-  return {{image.values().begin(), image.values().end()}, result.statistics.paths};
-}
-
-void expectEqual(const Rendered& a, const Rendered& b, const std::string& what) {
-  ASSERT_EQ(a.values.size(), b.values.size());
-  std::size_t different = 0;
-  for (std::size_t i = 0; i < a.values.size(); ++i) different += bitsOf(a.values[i]) == bitsOf(b.values[i]) ? 0u : 1u;
-  EXPECT_EQ(different, 0u) << what;
-  EXPECT_EQ(a.counts.shadowRays, b.counts.shadowRays) << what;
-  EXPECT_EQ(a.counts.pathLengths, b.counts.pathLengths) << what;
 }
 
 /// Whether all widths give the picture and the counts of width 1.
