@@ -10,7 +10,6 @@
 
 #include "steradian/apps/steradian/scene_json.h"
 #include "steradian/core/image_io.h"
-#include "steradian/integrators/path.h"
 #include "steradian/integrators/render.h"
 
 namespace steradian::bench {
@@ -55,9 +54,12 @@ std::optional<double> numberAfter(const std::string& text, const std::string& la
 
 }  // namespace
 
-Steradian::Steradian(SceneDescription scene, const BenchOptions& options)
-    : width_(options.width), height_(options.height), pathWidth_(options.pathWidth), threads_(options.threads) {
-  threads_.run([&] { scene_ = std::make_unique<Scene>(std::move(scene)); });
+Steradian::Steradian(const SceneDescription& scene, const BenchOptions& options, std::uint32_t reuse)
+    : width_(options.width),
+      height_(options.height),
+      integrator_({.reuse = reuse, .width = options.pathWidth}),
+      threads_(options.threads) {
+  threads_.run([&] { scene_ = std::make_unique<Scene>(scene); });
 }
 
 TimedPicture Steradian::render(std::uint32_t samplesPerPixel, std::uint32_t seed) {
@@ -66,8 +68,7 @@ TimedPicture Steradian::render(std::uint32_t samplesPerPixel, std::uint32_t seed
   settings.height = height_;
   settings.samplesPerPixel = samplesPerPixel;
   settings.seed = seed;
-  const RenderResult result =
-      threads_.run([&] { return steradian::render(*scene_, PathIntegrator({.width = pathWidth_}), settings); });
+  const RenderResult result = threads_.run([&] { return steradian::render(*scene_, integrator_, settings); });
   return {result.film.image({.features = false, .errors = false}), result.statistics.sampleSeconds};
 }
 

@@ -8,7 +8,7 @@
 #include "steradian/apps/bench/measure.h"
 #include "steradian/apps/bench/options.h"
 #include "steradian/core/image.h"
-#include "steradian/integrators/scene.h"
+#include "steradian/integrators/path.h"
 
 namespace steradian::bench {
 
@@ -26,15 +26,15 @@ class Contender {
   virtual TimedPicture render(std::uint32_t samplesPerPixel, std::uint32_t seed) = 0;
 };
 
-/// Ours: the path integrator as it is by default.
+/// Ours: the path integrator as it is by default, but that `reuse` pixels share paths.
 class Steradian final : public Contender {
  public:
-  Steradian(SceneDescription scene, const BenchOptions& options);
+  Steradian(const SceneDescription& scene, const BenchOptions& options, std::uint32_t reuse);
   TimedPicture render(std::uint32_t samplesPerPixel, std::uint32_t seed) override;
 
  private:
   int width_, height_;
-  std::uint32_t pathWidth_;
+  PathIntegrator integrator_;
   Threads threads_;
   std::unique_ptr<const Scene> scene_;
 };

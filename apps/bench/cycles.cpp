@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "steradian/apps/bench/contender.h"
@@ -51,12 +52,11 @@ struct Result {
 /// little differently shall not count as noise.
 class Entrant {
  public:
-  /// `longer`: how many times the samples of the options' reference.
-  Entrant(Contender& contender, const BenchOptions& options, double longer = 1.0)
+  /// `samples`: of each half of the reference.
+  Entrant(Contender& contender, const BenchOptions& options, std::uint32_t samples)
       : contender_(contender),
         pixels_(static_cast<double>(options.width) * options.height),
-        reference_(makeReference(
-            contender, static_cast<std::uint32_t>(longer * options.referenceSamples.value_or(kReferenceSamples)))) {}
+        reference_(makeReference(contender, samples)) {}
 
   /// Returns the seconds that it took.
   double run(std::uint32_t samplesPerPixel, std::uint32_t seed) {
@@ -88,8 +88,17 @@ class Entrant {
   std::vector<double> seconds_, rates_, errors_, efficiencies_;
 };
 
+/// Ours, with as many pixels that share paths as the options say at one place.
+struct Ours {
+  std::uint32_t reuse;
+  std::unique_ptr<Steradian> renderer;
+  double secondsPerSample = 0.0;
+  std::unique_ptr<Entrant> entrant;
+};
+
 struct Comparison {
   std::string scene;
+  std::uint32_t reuse;
   Result ours, theirs;
 
   double sampleRateRatio() const { return ours.samplesPerSecond / theirs.samplesPerSecond; }
@@ -97,36 +106,52 @@ struct Comparison {
   double meanRatio() const { return ours.mean / theirs.mean; }
 };
 
-Comparison compare(const std::string& name, const BenchOptions& options) {
+std::vector<Comparison> compare(const std::string& name, const BenchOptions& options) {
   const SceneDescription scene = makeScene(name);
   const TemporaryFolder folder;
-  Steradian steradian(scene, options);
   Cycles cycles(scene, options, folder.path());
   const std::uint32_t spp = options.samplesPerPixel.value_or(kSamplesPerPixel);
-  double faster = 1.0, secondsPerSample = 0.0;
-  if (options.equalTime) {
-    constexpr std::uint32_t trialSeed = 2000;
-    const double trial = steradian.render(spp, trialSeed).seconds;
-    secondsPerSample = trial / spp;
-    faster = std::max(1.0, cycles.render(spp, trialSeed).seconds / trial);
+  const std::uint32_t forReference = options.referenceSamples.value_or(kReferenceSamples);
+  constexpr std::uint32_t trialSeed = 2000;
+  const double trial = options.equalTime ? cycles.render(spp, trialSeed).seconds : 0.0;
+  std::vector<Ours> all;
+  for (const std::uint32_t reuse : options.reuse) {
+    Ours& ours = all.emplace_back(Ours{reuse, std::make_unique<Steradian>(scene, options, reuse), 0.0, nullptr});
+    double longer = 1.0;  // reference
+    if (options.equalTime) {
+      ours.secondsPerSample = ours.renderer->render(spp, trialSeed).seconds / spp;
+      longer = std::max(1.0, trial / (ours.secondsPerSample * spp));
+    }
+    ours.entrant =
+        std::make_unique<Entrant>(*ours.renderer, options, static_cast<std::uint32_t>(longer * forReference));
   }
-  Entrant ours(steradian, options, faster), theirs(cycles, options);
+  Entrant theirs(cycles, options, forReference);
   for (int i = 0; i < options.repeats; ++i) {
     const auto seed = static_cast<std::uint32_t>(i);
     const double seconds = theirs.run(spp, seed);
-    ours.run(options.equalTime ? static_cast<std::uint32_t>(std::max(1.0, seconds / secondsPerSample)) : spp, seed);
+    for (const Ours& ours : all) {
+      const double affordable = options.equalTime ? std::max(1.0, seconds / ours.secondsPerSample) : spp;
+      ours.entrant->run(static_cast<std::uint32_t>(affordable), seed);
+    }
   }
-  return {name, ours.result(), theirs.result()};
+  std::vector<Comparison> comparisons;
+  for (const Ours& ours : all) comparisons.push_back({name, ours.reuse, ours.entrant->result(), theirs.result()});
+  return comparisons;
 }
 
-void printComparison(const Comparison& c) {
-  const auto row = [&](const char* renderer, const Result& r) {
-    fmt::print("| {} | {} | {:.2f} | {:.2f} | {:.5f} | {:.0f} |\n", c.scene, renderer, r.seconds,
-               r.samplesPerSecond / 1e6, r.relMse, r.efficiency);
-  };
-  row("Steradian", c.ours);
-  row("Cycles", c.theirs);
-  fmt::print("| {} | **ratio** | | **{:.2f}** | | **{:.2f}** |\n", c.scene, c.sampleRateRatio(), c.efficiencyRatio());
+void printRow(const std::string& scene, const std::string& renderer, const Result& r) {
+  fmt::print("| {} | {} | {:.2f} | {:.2f} | {:.6f} | {:.0f} | |\n", scene, renderer, r.seconds,
+             r.samplesPerSecond / 1e6, r.relMse, r.efficiency);
+}
+
+void printComparisons(const std::vector<Comparison>& comparisons) {
+  printRow(comparisons[0].scene, "Cycles", comparisons[0].theirs);
+  for (const Comparison& c : comparisons) {
+    const std::string renderer = c.reuse > 1 ? fmt::format("Steradian, `reuse={}`", c.reuse) : "Steradian";
+    printRow(c.scene, renderer, c.ours);
+    fmt::print("| {} | **ratio** | | **{:.2f}** | | **{:.2f}** | {:.4f} |\n", c.scene, c.sampleRateRatio(),
+               c.efficiencyRatio(), c.meanRatio());
+  }
   std::fflush(stdout);
 }
 
@@ -139,6 +164,7 @@ nlohmann::json toJson(const Comparison& c) {
                           {"reference_mean", r.mean}};
   };
   return {{"scene", c.scene},
+          {"reuse", c.reuse},
           {"steradian", result(c.ours)},
           {"cycles", result(c.theirs)},
           {"sample_rate_ratio", c.sampleRateRatio()},
@@ -155,25 +181,19 @@ void runCycles(const BenchOptions& options) {
   if (!options.json) {
     fmt::print(
         "\nBeside Blender's Cycles, {} x {}, {} spp{}, {} threads, medians of {}\n\n"
-        "| scene | renderer | sampling s | Msamples/s | relMSE | 1/(relMSE s) |\n|---|---|---|---|---|---|\n",
+        "| scene | renderer | sampling s | Msamples/s | relMSE | 1/(relMSE s) | ratio of means |\n"
+        "|---|---|---|---|---|---|---|\n",
         options.width, options.height, options.samplesPerPixel.value_or(kSamplesPerPixel),
         options.equalTime ? " of Cycles, ours as many as its time allows" : "", options.threads, options.repeats);
     std::fflush(stdout);
   }
-  std::vector<Comparison> comparisons;
   nlohmann::json rows = nlohmann::json::array();
   for (const std::string& scene : scenes) {
-    comparisons.push_back(compare(scene, options));
-    rows.push_back(toJson(comparisons.back()));
-    if (!options.json) printComparison(comparisons.back());
+    const std::vector<Comparison> comparisons = compare(scene, options);
+    for (const Comparison& c : comparisons) rows.push_back(toJson(c));
+    if (!options.json) printComparisons(comparisons);
   }
-  if (options.json) {
-    fmt::print("{}\n", nlohmann::json{{"machine", machineLine()}, {"cycles", rows}}.dump(1));
-    return;
-  }
-  fmt::print("\nMeans of the references, ours over theirs:");
-  for (const Comparison& c : comparisons) fmt::print(" {} {:.4f}", c.scene, c.meanRatio());
-  fmt::print("\n");
+  if (options.json) fmt::print("{}\n", nlohmann::json{{"machine", machineLine()}, {"cycles", rows}}.dump(1));
 }
 
 }  // namespace steradian::bench

@@ -51,6 +51,12 @@ void declare(CLI::App& app, Texts& texts, BenchOptions& options) {
   app.add_option("--width", texts.pathWidth, "Paths that our renders trace at once: 1, 4, 8, 16; 0: as many as pay")
       ->type_name("N")
       ->capture_default_str();
+  app.add_option("--reuse", options.reuse,
+                 "--cycles: pixels that share paths in our renders: 1, 2, 4, 8, 16, 32; or several")
+      ->delimiter(',')
+      ->check(CLI::IsMember({1, 2, 4, 8, 16, 32}))
+      ->type_name("N,...")
+      ->capture_default_str();
   app.add_option("--repeats", texts.repeats, "Figures are medians of N runs")->type_name("N")->capture_default_str();
   app.add_flag("--equal-time", options.equalTime, "--cycles: ours with as many samples as take the time of Cycles");
   app.add_option("--cycles-script", options.cyclesScript, "The script that Blender runs")->capture_default_str();

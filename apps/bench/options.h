@@ -24,8 +24,9 @@ struct BenchOptions {
   std::optional<std::uint32_t> samplesPerPixel;   ///< nothing: as each part takes by itself
   std::optional<std::uint32_t> referenceSamples;  ///< per pixel, of each half of a reference; nothing: likewise
   int threads = 1;
-  std::uint32_t pathWidth = 0;  ///< PathSettings::width of our renders
-  int repeats = 3;              ///< figures are medians of so many runs
+  std::uint32_t pathWidth = 0;             ///< PathSettings::width of our renders
+  std::vector<std::uint32_t> reuse = {1};  ///< --cycles: PathSettings::reuse of our renders, one after the other
+  int repeats = 3;                         ///< figures are medians of so many runs
   bool json = false;
   bool equalTime = false;  ///< --cycles: ours takes as many samples as the time of Cycles allows
   std::string cyclesScript = "apps/bench/cycles_scene.py";
