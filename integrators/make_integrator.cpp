@@ -21,7 +21,7 @@ constexpr std::array kPathKeys{
     IntegratorKey{"roulette-strength", "0.4", "0: never end them; 1: survival as probable as the path is bright"},
     IntegratorKey{"target-weight", "0.5", "mixture, mis (there 0.25): probability of a target; 1 loses other light"},
     IntegratorKey{"targets", "the scene's", "mixture, mis: names of shapes, or lights; separated by commas"},
-    IntegratorKey{"reuse", "1", "2, 4, 8, 16 or 32 neighbouring pixels share paths: less noise, but they err alike"},
+    IntegratorKey{"reuse", "1", "2, 4, 8, 16 or 32 neighbours share paths: less noise, but they err alike"},
     IntegratorKey{"width", "0", "paths traced at once: 1, 4, 8 or 16; 0: as many as pay here"},
 };
 constexpr std::array kOcclusionKeys{
