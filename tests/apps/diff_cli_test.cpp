@@ -50,6 +50,16 @@ TEST_F(Diff, DifferentPictures) {
   EXPECT_NEAR(image("map.exr").at(3, 3, 0), std::sqrt(0.0625f / 0.26f), 1e-6f);
 }
 
+TEST_F(Diff, PixelsThatErrAlikeAreNotTakenForIndependent) {
+  write("exact.exr", 0.5f, 0.0f);
+  write("alone.exr", 0.51f, 0.01f);
+  Image shared = image("alone.exr");
+  shared.metadata()["steradian.correlatedPixels"] = std::string("256");
+  writeImage(shared, path("shared.exr"));
+  EXPECT_EQ(run({"diff", "alone.exr", "exact.exr", "--check"}).exitCode, 1);
+  EXPECT_EQ(run({"diff", "shared.exr", "exact.exr", "--check"}).exitCode, 0);
+}
+
 TEST_F(Diff, TheColoursOfARenderAreNoStandardErrors) {
   write("a.exr", 0.75f, 0.01f);
   write("b.exr", 0.5f, 0.01f);

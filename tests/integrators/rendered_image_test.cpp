@@ -15,7 +15,7 @@ TEST(RenderedImage, SaysWhereItComesFrom) {
   const Scene scene(std::move(description));
   RenderSettings settings = test::settingsOf(12, 8, 2, 4000000000u);
   settings.crop = Crop{2, 7, 1, 8};
-  const RenderResult result = render(scene, PathIntegrator(), settings);
+  const RenderResult result = render(scene, PathIntegrator({.reuse = 4}), settings);
   const Image image = renderedImage(result, scene);
   EXPECT_EQ(image.window(), (ImageWindow{2, 1, 12, 8}));
   const auto text = [&](const char* name) {
@@ -26,6 +26,7 @@ TEST(RenderedImage, SaysWhereItComesFrom) {
   EXPECT_EQ(text("steradian.sceneHash"), sceneHashText(scene.hash()));
   EXPECT_EQ(text("steradian.seed"), "4000000000");
   EXPECT_EQ(text("steradian.sampler"), "sobol");
+  EXPECT_EQ(text("steradian.correlatedPixels"), "4");
   EXPECT_EQ(text("steradian.replicates"), "1");
   EXPECT_EQ(text("steradian.ledger"), "4000000000:0-1");
   const auto* seconds = findMetadata<double>(image.metadata(), "renderTime");
