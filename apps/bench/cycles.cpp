@@ -88,7 +88,7 @@ class Entrant {
   std::vector<double> seconds_, rates_, errors_, efficiencies_;
 };
 
-/// Ours, with as many pixels that share paths as the options say at one place.
+/// Ours, with one of the options' numbers of pixels that share paths.
 struct Ours {
   std::uint32_t reuse;
   std::unique_ptr<Steradian> renderer;
@@ -117,7 +117,7 @@ std::vector<Comparison> compare(const std::string& name, const BenchOptions& opt
   std::vector<Ours> all;
   for (const std::uint32_t reuse : options.reuse) {
     Ours& ours = all.emplace_back(Ours{reuse, std::make_unique<Steradian>(scene, options, reuse), 0.0, nullptr});
-    double longer = 1.0;  // reference
+    double longer = 1.0;  // than theirs: our reference
     if (options.equalTime) {
       ours.secondsPerSample = ours.renderer->render(spp, trialSeed).seconds / spp;
       longer = std::max(1.0, trial / (ours.secondsPerSample * spp));

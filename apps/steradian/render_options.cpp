@@ -34,8 +34,7 @@ std::string integratorHelp() {
 
 constexpr const char* kNotes =
     "\nOf an option that is given twice the last counts. $OCIO names another colour configuration for --display and\n"
-    "--view. --strategy, --max-depth, --target, --reuse and --width are short for\n"
-    "keys of --integrator path.\n";
+    "--view. --strategy, --max-depth, --target, --reuse and --width are short for keys of --integrator path.\n";
 
 /// Runs a parser of the library that throws, and keeps its complaints.
 template <class Parse>

@@ -278,6 +278,9 @@ TEST(TilesOf, CoverTheCropOnce) {
   const Crop crop{3, 20, 5, 12};
   std::vector<int> hits(32 * 32, 0);
   for (const Crop& tile : tilesOf(crop, 8)) {
+    // Of one square of the picture, wherever the crop begins.
+    EXPECT_EQ(tile.x0 / 8, (tile.x1 - 1) / 8);
+    EXPECT_EQ(tile.y0 / 8, (tile.y1 - 1) / 8);
     for (int y = tile.y0; y < tile.y1; ++y) {
       for (int x = tile.x0; x < tile.x1; ++x) ++hits[static_cast<std::size_t>(y * 32 + x)];
     }
