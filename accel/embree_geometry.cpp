@@ -4,9 +4,9 @@
 #include <chrono>
 
 #include "steradian/accel/embree_tree.h"
-#include "steradian/accel/shapes/shape_at.h"
+#include "steradian/accel/shapes/primitives/shape_at.h"
 #include "steradian/accel/surface_point_of.h"
-#include "steradian/core/diagnostics.h"
+#include "steradian/core/base/diagnostics.h"
 
 namespace steradian {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "steradian/accel/embree_scene.h"
 #include "steradian/accel/geometry.h"
-#include "steradian/accel/shapes/flat_primitives.h"
+#include "steradian/accel/shapes/clusters/flat_primitives.h"
 
 namespace steradian {
 

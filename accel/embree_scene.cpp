@@ -5,7 +5,7 @@
 #include <cstring>
 
 #include "steradian/accel/surface_point_of.h"
-#include "steradian/core/diagnostics.h"
+#include "steradian/core/base/diagnostics.h"
 
 namespace steradian::embree {
 namespace {

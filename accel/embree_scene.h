@@ -6,8 +6,8 @@
 #include <string>
 
 #include "steradian/accel/embree_api.h"
-#include "steradian/accel/shapes/cluster_set.h"
-#include "steradian/core/motion.h"
+#include "steradian/accel/shapes/clusters/cluster_set.h"
+#include "steradian/core/math/motion.h"
 
 namespace steradian::embree {
 

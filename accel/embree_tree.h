@@ -3,8 +3,8 @@
 #include <span>
 
 #include "steradian/accel/embree_scene.h"
-#include "steradian/accel/shapes/cluster_tree.h"
-#include "steradian/core/bounds.h"
+#include "steradian/accel/shapes/clusters/cluster_tree.h"
+#include "steradian/core/math/bounds.h"
 
 namespace steradian::embree {
 

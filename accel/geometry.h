@@ -6,11 +6,11 @@
 #include <string_view>
 #include <vector>
 
-#include "steradian/core/bounds.h"
-#include "steradian/core/description.h"
-#include "steradian/core/isa.h"
-#include "steradian/core/ray.h"
-#include "steradian/core/surface_point.h"
+#include "steradian/core/base/isa.h"
+#include "steradian/core/math/bounds.h"
+#include "steradian/core/math/ray.h"
+#include "steradian/core/scene/description.h"
+#include "steradian/core/transport/surface_point.h"
 
 namespace steradian {
 
@@ -41,8 +41,8 @@ struct GeometryStatistics {
   std::size_t primitives() const { return spheres + quads + boxes + disks + triangles + custom; }
 };
 
-/// Immutable; queries from any number of threads at once. Render tasks hold a FlushDenormals (core/float_mode.h) while
-/// they ask. Same bits for any number of threads; for scenes without instances and native triangles also for any
+/// Immutable; queries from any number of threads at once. Render tasks hold a FlushDenormals (core/base/float_mode.h)
+/// while they ask. Same bits for any number of threads; for scenes without instances and native triangles also for any
 /// layout: of equally near hits the smaller (shape, primitive) wins. What moves is met where it is at the ray's time;
 /// a shape that moves by itself is still placed directly, and its hits have no instance.
 class Geometry {

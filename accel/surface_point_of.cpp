@@ -1,7 +1,7 @@
 #include "steradian/accel/surface_point_of.h"
 
-#include "steradian/accel/shapes/shape_at.h"
-#include "steradian/accel/shapes/shape_point.h"
+#include "steradian/accel/shapes/primitives/shape_at.h"
+#include "steradian/accel/shapes/primitives/shape_point.h"
 
 namespace steradian {
 namespace {

@@ -1,15 +1,15 @@
 #pragma once
 /// Where exactly a ray met a primitive: from the nearest hit to a point with normals, parameters and error bounds.
-#include "steradian/accel/shapes/cluster_set.h"
-#include "steradian/core/description.h"
-#include "steradian/core/ray.h"
-#include "steradian/core/surface_point.h"
+#include "steradian/accel/shapes/clusters/cluster_set.h"
+#include "steradian/core/math/ray.h"
+#include "steradian/core/scene/description.h"
+#include "steradian/core/transport/surface_point.h"
 
 namespace steradian {
 
 /// The point in the shape's own space: position on the surface, its error, normals, uv; no ids. `ray` is in that space.
 /// The error covers the position's rounding and that of the next query from there, so that rays spawned by
-/// core/ray_offset.h do not meet the primitive they leave.
+/// core/transport/ray_offset.h do not meet the primitive they leave.
 ///
 /// uv: sphere as in "The Next Week", 4.4; quad and box along the edges, box faces as in 8.1 there; disk: angle about
 /// the normal over 2 pi, and distance from the centre over the radius; mesh: its own, or barycentric; custom: the

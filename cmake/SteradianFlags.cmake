@@ -9,7 +9,7 @@ target_compile_options(steradian_flags INTERFACE
   # clang++ and the sanitizers look for the same faults.
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict -Wno-maybe-uninitialized>
   # Lanes wider than the target's registers are passed otherwise than where those are wider: code for different targets
-  # hands no lanes to each other (core/isa.h).
+  # hands no lanes to each other (core/base/isa.h).
   -Wno-psabi)
 
 if(STERADIAN_WERROR)

@@ -1,4 +1,4 @@
-# Hot code for several instruction sets in one binary (core/isa.h says how it is used).
+# Hot code for several instruction sets in one binary (core/base/isa.h says how it is used).
 #
 # An object compiled for AVX2 also holds inline functions and templates that the baseline objects hold under the same
 # names, as weak symbols: the linker would take either for all. So each such object is linked by itself, which dissolves

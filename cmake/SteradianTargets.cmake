@@ -11,12 +11,7 @@ file(CONFIGURE OUTPUT "${PROJECT_BINARY_DIR}/header_only.cpp" CONTENT "// This r
 function(steradian_layer name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "GLOBS;DEPENDS;LIBRARIES")
   list(TRANSFORM arg_DEPENDS PREPEND steradian_)
-  # Subfolders belong to the room, but accel/shapes is a room of its own.
-  if(name STREQUAL "accel")
-    file(GLOB sources CONFIGURE_DEPENDS ${arg_GLOBS})
-  else()
-    file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${arg_GLOBS})
-  endif()
+  file(GLOB sources CONFIGURE_DEPENDS ${arg_GLOBS})
   if(NOT sources)
     set(sources "${PROJECT_BINARY_DIR}/header_only.cpp")
   endif()

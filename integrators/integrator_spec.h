@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "steradian/core/diagnostics.h"
+#include "steradian/core/base/diagnostics.h"
 
 namespace steradian {
 

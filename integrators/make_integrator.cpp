@@ -3,8 +3,8 @@
 #include <array>
 #include <limits>
 
-#include "steradian/integrators/aov.h"
-#include "steradian/integrators/path.h"
+#include "steradian/integrators/auxiliary/aov.h"
+#include "steradian/integrators/path/path.h"
 
 namespace steradian {
 namespace {

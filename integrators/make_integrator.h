@@ -4,8 +4,8 @@
 #include <span>
 #include <string_view>
 
-#include "steradian/integrators/integrator.h"
 #include "steradian/integrators/integrator_spec.h"
+#include "steradian/integrators/render/integrator.h"
 
 namespace steradian {
 

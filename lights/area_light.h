@@ -1,9 +1,9 @@
 #pragma once
 /// A primitive that emits: constant radiance, from the side of its outward normal or from both. One that moves is where
 /// it is at the time of the point that light is gathered at.
-#include "steradian/accel/shapes/sampled_shape_lanes.h"
-#include "steradian/core/description.h"
-#include "steradian/core/ray_offset.h"
+#include "steradian/accel/shapes/sampling/sampled_shape_lanes.h"
+#include "steradian/core/scene/description.h"
+#include "steradian/core/transport/ray_offset.h"
 
 namespace steradian {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "steradian/accel/shapes/sampled_shape_at.h"
+#include "steradian/accel/shapes/sampling/sampled_shape_at.h"
 
 namespace steradian {
 

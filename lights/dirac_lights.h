@@ -1,8 +1,8 @@
 #pragma once
 /// Lights that shine along single directions: point, spot, distant. Only light sampling finds them; their samples have
 /// pdf kDirac.
-#include "steradian/core/description.h"
-#include "steradian/core/scattering.h"
+#include "steradian/core/scene/description.h"
+#include "steradian/core/transport/scattering.h"
 
 namespace steradian {
 

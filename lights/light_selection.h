@@ -4,7 +4,7 @@
 #include <span>
 #include <variant>
 
-#include "steradian/core/distribution.h"
+#include "steradian/core/sampling/distribution.h"
 
 namespace steradian {
 

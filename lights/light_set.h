@@ -5,7 +5,7 @@
 #include <variant>
 #include <vector>
 
-#include "steradian/core/bounds.h"
+#include "steradian/core/math/bounds.h"
 #include "steradian/lights/area_lights.h"
 #include "steradian/lights/dirac_lights.h"
 #include "steradian/lights/light_selection.h"

@@ -5,7 +5,7 @@
 #include <variant>
 #include <vector>
 
-#include "steradian/core/distribution.h"
+#include "steradian/core/sampling/distribution.h"
 #include "steradian/lights/sky.h"
 #include "steradian/lights/sky_picture.h"
 

@@ -1,9 +1,9 @@
 #pragma once
 /// Smooth skies: radiance from infinitely far away, constant or linear in the height of the direction.
-#include "steradian/core/description.h"
-#include "steradian/core/frame.h"
-#include "steradian/core/scattering.h"
-#include "steradian/core/warp.h"
+#include "steradian/core/math/frame.h"
+#include "steradian/core/sampling/warp.h"
+#include "steradian/core/scene/description.h"
+#include "steradian/core/transport/scattering.h"
 
 namespace steradian {
 

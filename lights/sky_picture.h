@@ -2,10 +2,10 @@
 /// A picture of the whole sphere of directions, sampled in proportion to its brightness.
 #include <optional>
 
-#include "steradian/core/description.h"
-#include "steradian/core/distribution.h"
-#include "steradian/core/picture.h"
-#include "steradian/core/scattering.h"
+#include "steradian/core/colour/picture.h"
+#include "steradian/core/sampling/distribution.h"
+#include "steradian/core/scene/description.h"
+#include "steradian/core/transport/scattering.h"
 
 namespace steradian {
 

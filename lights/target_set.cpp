@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "steradian/accel/shapes/sampled_shape_at.h"
+#include "steradian/accel/shapes/sampling/sampled_shape_at.h"
 #include "steradian/lights/area_lights.h"
 
 namespace steradian {

@@ -4,8 +4,8 @@
 #include <span>
 #include <string>
 
-#include "steradian/accel/shapes/hittable_pdf.h"
-#include "steradian/core/description.h"
+#include "steradian/accel/shapes/sampling/hittable_pdf.h"
+#include "steradian/core/scene/description.h"
 
 namespace steradian {
 

@@ -1,6 +1,6 @@
 #pragma once
 /// Scatters nothing: the usual body of a light.
-#include "steradian/core/scattering.h"
+#include "steradian/core/transport/scattering.h"
 
 namespace steradian {
 

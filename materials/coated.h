@@ -8,7 +8,7 @@
 ///     f = (1 - F(wo)) (1 - F(wi)) a / (pi eta^2 (1 - a R_i)).
 ///
 /// It is reciprocal, and white for a = 1: the integral of (1 - F) cos / pi is eta^2 (1 - R_i).
-#include "steradian/core/scattering.h"
+#include "steradian/core/transport/scattering.h"
 #include "steradian/materials/fresnel.h"
 #include "steradian/materials/local_frame.h"
 

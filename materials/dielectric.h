@@ -4,7 +4,7 @@
 /// Refraction compresses radiance: it grows with the square of the index, so Transport::Radiance divides by eta^2 (the
 /// index behind over that before the interface). Between entering and leaving a body this cancels; the books leave it
 /// out. Transport::Importance carries power, which is not scaled (Veach 1997, 5.2).
-#include "steradian/core/scattering.h"
+#include "steradian/core/transport/scattering.h"
 #include "steradian/materials/fresnel.h"
 #include "steradian/materials/local_frame.h"
 

@@ -2,7 +2,7 @@
 /// Reflection and refraction at a smooth interface between two dielectrics, for unpolarised light.
 ///
 /// `eta` is the refractive index of the far side over that of the near side (where the cosine is measured).
-#include "steradian/core/vec.h"
+#include "steradian/core/math/vec.h"
 
 namespace steradian {
 

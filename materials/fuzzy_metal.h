@@ -15,7 +15,7 @@
 /// reciprocal; Transport::Importance uses its adjoint, which is value |cos wi| / |cos wo|, since p is symmetric.
 /// At the edge of the cone p is infinite (integrable): `light` must not rely on light samples alone (see
 /// samplesLights in bsdf.h).
-#include "steradian/core/scattering.h"
+#include "steradian/core/transport/scattering.h"
 #include "steradian/materials/local_frame.h"
 
 namespace steradian {

@@ -1,7 +1,7 @@
 #pragma once
 /// A picture over (u, v), ready for lookup.
-#include "steradian/core/description.h"
-#include "steradian/core/picture.h"
+#include "steradian/core/colour/picture.h"
+#include "steradian/core/scene/description.h"
 
 namespace steradian {
 

@@ -7,7 +7,7 @@
 ///     Spectrum<F>   albedo(Vec3<F> wo) const;                       // reflected and transmitted share, for AOVs
 ///
 /// This one: an ideally diffuse surface, reflectance / pi, the same on both sides; light does not pass.
-#include "steradian/core/scattering.h"
+#include "steradian/core/transport/scattering.h"
 #include "steradian/materials/local_frame.h"
 
 namespace steradian {

@@ -1,6 +1,6 @@
 #pragma once
 /// Geometry of directions in the local frame, whose z axis is the shading normal.
-#include "steradian/core/warp.h"
+#include "steradian/core/sampling/warp.h"
 
 namespace steradian {
 

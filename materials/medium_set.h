@@ -2,7 +2,7 @@
 /// Homogeneous media, ready for rays.
 #include <vector>
 
-#include "steradian/core/description.h"
+#include "steradian/core/scene/description.h"
 
 namespace steradian {
 

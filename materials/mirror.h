@@ -1,6 +1,6 @@
 #pragma once
 /// A perfect mirror on both sides: the books' metal without fuzz.
-#include "steradian/core/scattering.h"
+#include "steradian/core/transport/scattering.h"
 #include "steradian/materials/local_frame.h"
 
 namespace steradian {

@@ -1,6 +1,6 @@
 #include "steradian/materials/perlin_noise.h"
 
-#include "steradian/core/warp.h"
+#include "steradian/core/sampling/warp.h"
 
 namespace steradian {
 

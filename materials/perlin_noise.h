@@ -3,9 +3,9 @@
 #include <memory>
 #include <vector>
 
-#include "steradian/core/description.h"
-#include "steradian/core/rng.h"
-#include "steradian/core/vec.h"
+#include "steradian/core/math/vec.h"
+#include "steradian/core/samplers/rng.h"
+#include "steradian/core/scene/description.h"
 
 namespace steradian {
 

@@ -1,8 +1,8 @@
 #pragma once
 /// How a medium scatters at one point, in world space: Henyey & Greenstein about the way the light goes.
-#include "steradian/core/frame.h"
-#include "steradian/core/henyey_greenstein.h"
-#include "steradian/core/scattering.h"
+#include "steradian/core/math/frame.h"
+#include "steradian/core/sampling/henyey_greenstein.h"
+#include "steradian/core/transport/scattering.h"
 
 namespace steradian {
 

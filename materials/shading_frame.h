@@ -1,8 +1,8 @@
 #pragma once
 /// Models in world space: a model works in the frame of the shading normal, and light stays on the sides that the
 /// geometric normal tells.
-#include "steradian/core/frame.h"
-#include "steradian/core/scattering.h"
+#include "steradian/core/math/frame.h"
+#include "steradian/core/transport/scattering.h"
 
 namespace steradian {
 

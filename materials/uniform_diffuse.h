@@ -5,7 +5,7 @@
 ///
 /// The model is defined by what it does to a path from the camera: value = reflectance / 2 pi, without a cosine. So it
 /// is not reciprocal; Transport::Importance uses its adjoint, which is value |cos wi| / |cos wo|.
-#include "steradian/core/scattering.h"
+#include "steradian/core/transport/scattering.h"
 #include "steradian/materials/local_frame.h"
 
 namespace steradian {

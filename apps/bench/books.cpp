@@ -15,9 +15,9 @@
 #include "steradian/apps/bench/machine.h"
 #include "steradian/apps/bench/measure.h"
 #include "steradian/apps/scenes/scenes.h"
-#include "steradian/core/image_metrics.h"
-#include "steradian/integrators/path.h"
-#include "steradian/integrators/render.h"
+#include "steradian/core/image/image_metrics.h"
+#include "steradian/integrators/path/path.h"
+#include "steradian/integrators/render/render.h"
 
 namespace steradian::bench {
 namespace {

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "steradian/apps/bench/books_objects.h"
-#include "steradian/core/description.h"
+#include "steradian/core/scene/description.h"
 
 namespace steradian::bench::books {
 

@@ -7,8 +7,8 @@
 #include <memory>
 #include <vector>
 
-#include "steradian/core/spectrum.h"
-#include "steradian/core/vec.h"
+#include "steradian/core/math/vec.h"
+#include "steradian/core/transport/spectrum.h"
 
 namespace steradian::bench::books {
 

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "steradian/core/running_mean.h"
+#include "steradian/core/statistics/running_mean.h"
 
 namespace steradian::bench::books {
 namespace {

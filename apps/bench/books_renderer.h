@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "steradian/apps/bench/books_world.h"
-#include "steradian/core/image.h"
+#include "steradian/core/image/image.h"
 
 namespace steradian::bench::books {
 

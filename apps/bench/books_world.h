@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "steradian/apps/bench/books_materials.h"
-#include "steradian/core/description.h"
+#include "steradian/core/scene/description.h"
 
 namespace steradian::bench::books {
 

@@ -9,8 +9,8 @@
 #include <optional>
 
 #include "steradian/apps/steradian/scene_json.h"
-#include "steradian/core/image_io.h"
-#include "steradian/integrators/render.h"
+#include "steradian/core/image/image_io.h"
+#include "steradian/integrators/render/render.h"
 
 namespace steradian::bench {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "steradian/apps/bench/measure.h"
 #include "steradian/apps/bench/options.h"
-#include "steradian/core/image.h"
-#include "steradian/integrators/path.h"
+#include "steradian/core/image/image.h"
+#include "steradian/integrators/path/path.h"
 
 namespace steradian::bench {
 

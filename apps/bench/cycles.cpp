@@ -14,7 +14,7 @@
 #include "steradian/apps/bench/machine.h"
 #include "steradian/apps/scenes/scenes.h"
 #include "steradian/apps/steradian/reference.h"
-#include "steradian/core/image_metrics.h"
+#include "steradian/core/image/image_metrics.h"
 
 namespace steradian::bench {
 namespace {

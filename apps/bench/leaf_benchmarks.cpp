@@ -1,7 +1,7 @@
-#include "steradian/accel/shapes/cluster.h"
+#include "steradian/accel/shapes/clusters/cluster.h"
 #include "steradian/apps/bench/micro.h"
 #include "steradian/apps/bench/micro_loop.h"
-#include "steradian/core/warp.h"
+#include "steradian/core/sampling/warp.h"
 
 namespace steradian::bench {
 namespace {

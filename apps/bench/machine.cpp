@@ -6,7 +6,7 @@
 
 #include <fstream>
 
-#include "steradian/core/build_info.h"
+#include "steradian/core/base/build_info.h"
 
 namespace steradian::bench {
 namespace {

@@ -12,7 +12,7 @@
 #include "steradian/apps/bench/renders.h"
 #include "steradian/apps/bench/samplers.h"
 #include "steradian/apps/steradian/exit_codes.h"
-#include "steradian/core/diagnostics.h"
+#include "steradian/core/base/diagnostics.h"
 
 namespace {
 

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "steradian/core/float_mode.h"
-#include "steradian/core/rng.h"
+#include "steradian/core/base/float_mode.h"
+#include "steradian/core/samplers/rng.h"
 
 namespace steradian::bench {
 

@@ -5,7 +5,7 @@
 #include <CLI/CLI.hpp>
 
 #include "steradian/apps/steradian/arguments.h"
-#include "steradian/core/diagnostics.h"
+#include "steradian/core/base/diagnostics.h"
 
 namespace steradian::bench {
 namespace {

@@ -5,11 +5,11 @@
 #include <memory>
 #include <optional>
 
-#include "steradian/accel/shapes/cluster.h"
+#include "steradian/accel/shapes/clusters/cluster.h"
 #include "steradian/apps/bench/micro.h"
 #include "steradian/apps/bench/micro_loop.h"
 #include "steradian/apps/scenes/scenes.h"
-#include "steradian/integrators/record_rays.h"
+#include "steradian/integrators/path/record_rays.h"
 
 namespace steradian::bench {
 namespace {

@@ -10,8 +10,8 @@
 #include "steradian/apps/bench/measure.h"
 #include "steradian/apps/bench/replay.h"
 #include "steradian/apps/scenes/scenes.h"
-#include "steradian/integrators/path.h"
-#include "steradian/integrators/render.h"
+#include "steradian/integrators/path/path.h"
+#include "steradian/integrators/render/render.h"
 
 namespace steradian::bench {
 namespace {

@@ -7,8 +7,8 @@
 #include <atomic>
 #include <bit>
 
-#include "steradian/accel/shapes/flat_primitives.h"
-#include "steradian/core/float_mode.h"
+#include "steradian/accel/shapes/clusters/flat_primitives.h"
+#include "steradian/core/base/float_mode.h"
 
 namespace steradian::bench {
 namespace {

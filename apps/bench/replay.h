@@ -5,7 +5,7 @@
 #include <span>
 
 #include "steradian/accel/geometry.h"
-#include "steradian/integrators/record_rays.h"
+#include "steradian/integrators/path/record_rays.h"
 
 namespace steradian::bench {
 

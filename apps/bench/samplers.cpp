@@ -12,8 +12,8 @@
 #include "steradian/apps/bench/measure.h"
 #include "steradian/apps/scenes/scenes.h"
 #include "steradian/apps/steradian/reference.h"
-#include "steradian/integrators/path.h"
-#include "steradian/integrators/render.h"
+#include "steradian/integrators/path/path.h"
+#include "steradian/integrators/render/render.h"
 
 namespace steradian::bench {
 namespace {

@@ -3,8 +3,8 @@
 #include "steradian/apps/bench/micro.h"
 #include "steradian/apps/bench/micro_loop.h"
 #include "steradian/apps/scenes/scenes.h"
-#include "steradian/core/film.h"
-#include "steradian/integrators/scene.h"
+#include "steradian/core/film/film.h"
+#include "steradian/integrators/scene/scene.h"
 #include "steradian/materials/bsdf.h"
 #include "steradian/materials/fresnel.h"
 

@@ -1,8 +1,8 @@
-#include "steradian/accel/shapes/box_sampling.h"
-#include "steradian/accel/shapes/disk_sampling.h"
-#include "steradian/accel/shapes/quad_sampling.h"
-#include "steradian/accel/shapes/sphere_sampling.h"
-#include "steradian/accel/shapes/triangle_sampling.h"
+#include "steradian/accel/shapes/sampling/box_sampling.h"
+#include "steradian/accel/shapes/sampling/disk_sampling.h"
+#include "steradian/accel/shapes/sampling/quad_sampling.h"
+#include "steradian/accel/shapes/sampling/sphere_sampling.h"
+#include "steradian/accel/shapes/sampling/triangle_sampling.h"
 #include "steradian/apps/bench/micro.h"
 #include "steradian/apps/bench/micro_loop.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 /// The books' ray_color where it is wrong: what the pictures need and the product must not have.
-#include "steradian/integrators/integrator.h"
+#include "steradian/integrators/render/integrator.h"
 
 namespace steradian::books {
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "steradian/core/diagnostics.h"
+#include "steradian/core/base/diagnostics.h"
 
 namespace steradian::books {
 namespace {

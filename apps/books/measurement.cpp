@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "steradian/apps/scenes/scenes.h"
-#include "steradian/integrators/path.h"
+#include "steradian/integrators/path/path.h"
 
 namespace steradian::books {
 namespace {

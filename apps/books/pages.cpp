@@ -6,7 +6,7 @@
 #include "steradian/apps/books/html.h"
 #include "steradian/apps/books/measurement.h"
 #include "steradian/apps/steradian/console.h"
-#include "steradian/core/atomic_file.h"
+#include "steradian/core/base/atomic_file.h"
 
 namespace steradian::books {
 namespace {

@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
-#include "steradian/core/image_io.h"
+#include "steradian/core/image/image_io.h"
 #include "steradian/integrators/make_integrator.h"
 
 namespace steradian::books {

@@ -8,7 +8,7 @@
 
 #include "steradian/apps/books/picture.h"
 #include "steradian/apps/steradian/render_options.h"
-#include "steradian/integrators/render.h"
+#include "steradian/integrators/render/render.h"
 
 namespace steradian::books {
 

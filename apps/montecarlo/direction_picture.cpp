@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "steradian/apps/montecarlo/svg.h"
-#include "steradian/core/sampler.h"
-#include "steradian/core/warp.h"
+#include "steradian/core/samplers/sampler.h"
+#include "steradian/core/sampling/warp.h"
 
 namespace steradian::montecarlo {
 

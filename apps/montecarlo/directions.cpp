@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "steradian/apps/montecarlo/programmes.h"
-#include "steradian/core/quadrature.h"
-#include "steradian/core/warp.h"
+#include "steradian/core/sampling/warp.h"
+#include "steradian/core/statistics/quadrature.h"
 
 namespace steradian::montecarlo {
 

@@ -8,7 +8,7 @@
 
 #include "steradian/apps/montecarlo/piecewise.h"
 #include "steradian/apps/montecarlo/programmes.h"
-#include "steradian/core/quadrature.h"
+#include "steradian/core/statistics/quadrature.h"
 
 namespace steradian::montecarlo {
 

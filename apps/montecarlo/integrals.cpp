@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "steradian/apps/montecarlo/programmes.h"
-#include "steradian/core/quadrature.h"
+#include "steradian/core/statistics/quadrature.h"
 
 namespace steradian::montecarlo {
 

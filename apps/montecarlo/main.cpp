@@ -13,7 +13,7 @@
 #include "steradian/apps/steradian/exit_codes.h"
 #include "steradian/apps/steradian/parse.h"
 #include "steradian/apps/steradian/program.h"
-#include "steradian/core/atomic_file.h"
+#include "steradian/core/base/atomic_file.h"
 
 namespace {
 

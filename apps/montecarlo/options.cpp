@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "steradian/core/atomic_file.h"
+#include "steradian/core/base/atomic_file.h"
 
 namespace steradian::montecarlo {
 

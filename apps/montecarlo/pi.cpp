@@ -6,7 +6,7 @@
 
 #include "steradian/apps/montecarlo/jittered_circle.h"
 #include "steradian/apps/montecarlo/programmes.h"
-#include "steradian/core/quadrature.h"
+#include "steradian/core/statistics/quadrature.h"
 
 namespace steradian::montecarlo {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "steradian/core/estimate.h"
+#include "steradian/core/sampling/estimate.h"
 
 namespace steradian::montecarlo {
 

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "steradian/apps/montecarlo/programmes.h"
-#include "steradian/core/quadrature.h"
+#include "steradian/core/statistics/quadrature.h"
 
 namespace steradian::montecarlo {
 

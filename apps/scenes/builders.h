@@ -2,7 +2,7 @@
 /// One function per built-in scene; scenes.cpp lists them.
 #include <cstdint>
 
-#include "steradian/core/description.h"
+#include "steradian/core/scene/description.h"
 
 namespace steradian::scenes {
 

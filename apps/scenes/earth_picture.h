@@ -1,6 +1,6 @@
 #pragma once
 /// A map of a planet like ours, made of noise: the picture of the scene `earth` where no file is given.
-#include "steradian/core/image.h"
+#include "steradian/core/image/image.h"
 
 namespace steradian::scenes {
 

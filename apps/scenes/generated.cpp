@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "steradian/apps/scenes/builders.h"
-#include "steradian/core/rng.h"
+#include "steradian/core/samplers/rng.h"
 
 namespace steradian::scenes {
 

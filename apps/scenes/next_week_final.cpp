@@ -1,6 +1,6 @@
 /// "Ray Tracing: The Next Week" v4, section 10: everything in one picture.
 #include "steradian/apps/scenes/builders.h"
-#include "steradian/core/rng.h"
+#include "steradian/core/samplers/rng.h"
 
 namespace steradian::scenes {
 

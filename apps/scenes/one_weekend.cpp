@@ -1,6 +1,6 @@
 /// "Ray Tracing in One Weekend" v4, sections 13 and 14; "Ray Tracing: The Next Week" v4, section 2.6.
 #include "steradian/apps/scenes/builders.h"
-#include "steradian/core/rng.h"
+#include "steradian/core/samplers/rng.h"
 
 namespace steradian::scenes {
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <string_view>
 
-#include "steradian/core/description.h"
+#include "steradian/core/scene/description.h"
 
 namespace steradian {
 

@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "steradian/core/diagnostics.h"
-#include "steradian/core/film.h"
+#include "steradian/core/base/diagnostics.h"
+#include "steradian/core/film/film.h"
 
 namespace steradian::app {
 

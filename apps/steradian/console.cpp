@@ -6,7 +6,7 @@
 #include <cerrno>
 #include <span>
 
-#include "steradian/core/atomic_file.h"
+#include "steradian/core/base/atomic_file.h"
 
 namespace steradian::app {
 

@@ -12,11 +12,11 @@
 #include "steradian/apps/steradian/commands.h"
 #include "steradian/apps/steradian/console.h"
 #include "steradian/apps/steradian/exit_codes.h"
-#include "steradian/core/atomic_file.h"
-#include "steradian/core/display.h"
-#include "steradian/core/false_colour.h"
-#include "steradian/core/image_io.h"
-#include "steradian/core/image_metrics.h"
+#include "steradian/core/base/atomic_file.h"
+#include "steradian/core/colour/display.h"
+#include "steradian/core/colour/false_colour.h"
+#include "steradian/core/image/image_io.h"
+#include "steradian/core/image/image_metrics.h"
 
 namespace steradian::app {
 

@@ -1,6 +1,6 @@
 #pragma once
 /// What the program's exit codes mean (sysexits.h where it has a word for it).
-#include "steradian/core/diagnostics.h"
+#include "steradian/core/base/diagnostics.h"
 
 namespace steradian::app {
 

@@ -14,9 +14,9 @@
 #include "steradian/apps/steradian/memory_check.h"
 #include "steradian/apps/steradian/render_report.h"
 #include "steradian/apps/steradian/scene_json.h"
-#include "steradian/core/build_info.h"
-#include "steradian/integrators/path_kernels.h"
-#include "steradian/integrators/scene.h"
+#include "steradian/core/base/build_info.h"
+#include "steradian/integrators/path/path_kernels.h"
+#include "steradian/integrators/scene/scene.h"
 
 namespace steradian::app {
 

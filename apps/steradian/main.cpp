@@ -9,7 +9,7 @@
 #include "steradian/apps/steradian/console.h"
 #include "steradian/apps/steradian/exit_codes.h"
 #include "steradian/apps/steradian/program.h"
-#include "steradian/core/diagnostics.h"
+#include "steradian/core/base/diagnostics.h"
 
 namespace {
 

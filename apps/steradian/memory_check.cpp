@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "steradian/core/diagnostics.h"
+#include "steradian/core/base/diagnostics.h"
 
 namespace steradian::app {
 

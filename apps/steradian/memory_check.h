@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <filesystem>
 
-#include "steradian/core/description.h"
-#include "steradian/core/film.h"
+#include "steradian/core/film/film.h"
+#include "steradian/core/scene/description.h"
 
 namespace steradian::app {
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "steradian/core/image_metrics.h"
+#include "steradian/core/image/image_metrics.h"
 
 namespace steradian::app {
 

@@ -1,6 +1,6 @@
 #pragma once
 /// What the error of a picture is measured against.
-#include "steradian/core/image.h"
+#include "steradian/core/image/image.h"
 
 namespace steradian::app {
 
@@ -9,7 +9,7 @@ struct Reference {
   Image mean, standardError;
 
   Reference(const Image& a, const Image& b);
-  /// As `steradian diff` has it, less the reference's own noise (core/image_metrics.h).
+  /// As `steradian diff` has it, less the reference's own noise (core/image/image_metrics.h).
   double relMseOf(const Image& picture) const;
 };
 

@@ -16,12 +16,12 @@
 #include "steradian/apps/steradian/progress.h"
 #include "steradian/apps/steradian/render_options.h"
 #include "steradian/apps/steradian/render_report.h"
-#include "steradian/core/atomic_file.h"
-#include "steradian/core/display.h"
+#include "steradian/core/base/atomic_file.h"
+#include "steradian/core/colour/display.h"
 #include "steradian/integrators/make_integrator.h"
-#include "steradian/integrators/render.h"
-#include "steradian/integrators/rendered_image.h"
-#include "steradian/integrators/scene.h"
+#include "steradian/integrators/render/render.h"
+#include "steradian/integrators/render/rendered_image.h"
+#include "steradian/integrators/scene/scene.h"
 
 namespace steradian::app {
 

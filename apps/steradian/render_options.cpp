@@ -10,7 +10,7 @@
 
 #include "steradian/apps/scenes/scenes.h"
 #include "steradian/apps/steradian/arguments.h"
-#include "steradian/core/picture.h"
+#include "steradian/core/colour/picture.h"
 #include "steradian/integrators/make_integrator.h"
 
 namespace steradian::app {

@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "steradian/apps/steradian/arguments.h"
-#include "steradian/core/description.h"
-#include "steradian/core/display.h"
-#include "steradian/core/image_io.h"
-#include "steradian/core/isa.h"
-#include "steradian/integrators/render_settings.h"
+#include "steradian/core/base/isa.h"
+#include "steradian/core/colour/display.h"
+#include "steradian/core/image/image_io.h"
+#include "steradian/core/scene/description.h"
+#include "steradian/integrators/render/render_settings.h"
 
 namespace CLI {
 class App;

@@ -3,8 +3,8 @@
 #include <string>
 
 #include "steradian/apps/steradian/render_options.h"
-#include "steradian/integrators/render.h"
-#include "steradian/integrators/scene.h"
+#include "steradian/integrators/render/render.h"
+#include "steradian/integrators/scene/scene.h"
 
 namespace steradian::app {
 

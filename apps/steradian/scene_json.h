@@ -4,12 +4,13 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "steradian/core/description.h"
+#include "steradian/core/scene/description.h"
 
 namespace steradian::app {
 
-/// Keys and units are those of core/description.h (textures, materials, shapes, groups, instances, lights, camera,
-/// defaults), ids are indices, a missing id is null; "counts" sums up the primitives by kind, instances expanded.
+/// Keys and units are those of core/scene/description.h (textures, materials, shapes, groups, instances, lights,
+/// camera, defaults), ids are indices, a missing id is null; "counts" sums up the primitives by kind, instances
+/// expanded.
 nlohmann::json toJson(const SceneDescription& scene);
 
 /// Number of primitives by kind name, as rays meet them: a shape of a group counts once per instance.

@@ -9,12 +9,12 @@
 #include <cmath>
 #include <thread>
 
-#include "steradian/accel/shapes/flat_primitives.h"
+#include "steradian/accel/shapes/clusters/flat_primitives.h"
 #include "steradian/accel/surface_point_of.h"
-#include "steradian/core/diagnostics.h"
+#include "steradian/core/base/diagnostics.h"
 #include "steradian/tests/accel/random_scene.h"
 #include "steradian/tests/accel/same_hits.h"
-#include "steradian/tests/shapes/mixed_scene.h"
+#include "steradian/tests/accel/shapes/mixed_scene.h"
 
 namespace steradian::test {
 namespace {

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "steradian/accel/geometry.h"
-#include "steradian/core/ray_offset.h"
+#include "steradian/core/transport/ray_offset.h"
 #include "steradian/tests/accel/random_scene.h"
 
 namespace steradian::test {

@@ -6,8 +6,8 @@
 
 #include "steradian/accel/geometry.h"
 #include "steradian/accel/surface_point_of.h"
-#include "steradian/core/diagnostics.h"
-#include "steradian/core/motion.h"
+#include "steradian/core/base/diagnostics.h"
+#include "steradian/core/math/motion.h"
 #include "steradian/tests/accel/leaving_rays.h"
 #include "steradian/tests/accel/same_hits.h"
 

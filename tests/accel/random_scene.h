@@ -3,8 +3,8 @@
 #include <cmath>
 #include <random>
 
-#include "steradian/accel/shapes/shape_at.h"
-#include "steradian/core/description.h"
+#include "steradian/accel/shapes/primitives/shape_at.h"
+#include "steradian/core/scene/description.h"
 
 namespace steradian::test {
 

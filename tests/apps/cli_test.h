@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "steradian/core/image_io.h"
+#include "steradian/core/image/image_io.h"
 #include "steradian/tests/apps/run_program.h"
 
 namespace steradian::cli {

@@ -4,7 +4,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "steradian/core/isa.h"
+#include "steradian/core/base/isa.h"
 #include "steradian/tests/apps/cli_test.h"
 
 namespace steradian::cli {

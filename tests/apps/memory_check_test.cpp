@@ -7,7 +7,7 @@
 #include <limits>
 #include <string>
 
-#include "steradian/core/diagnostics.h"
+#include "steradian/core/base/diagnostics.h"
 
 namespace steradian::app {
 namespace {

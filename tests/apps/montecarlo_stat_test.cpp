@@ -5,7 +5,7 @@
 #include "steradian/apps/montecarlo/error_study.h"
 #include "steradian/apps/montecarlo/jittered_circle.h"
 #include "steradian/apps/montecarlo/programme.h"
-#include "steradian/core/student_t.h"
+#include "steradian/core/statistics/student_t.h"
 #include "steradian/tests/support/statistics.h"
 
 namespace steradian::montecarlo {

@@ -12,7 +12,7 @@
 #include "steradian/apps/montecarlo/plot.h"
 #include "steradian/apps/montecarlo/report.h"
 #include "steradian/apps/montecarlo/svg.h"
-#include "steradian/core/quadrature.h"
+#include "steradian/core/statistics/quadrature.h"
 
 namespace steradian::montecarlo {
 namespace {

@@ -8,11 +8,11 @@
 #include <string>
 
 #include "steradian/apps/scenes/scenes.h"
-#include "steradian/core/image_io.h"
-#include "steradian/core/image_metrics.h"
+#include "steradian/core/image/image_io.h"
+#include "steradian/core/image/image_metrics.h"
 #include "steradian/integrators/make_integrator.h"
-#include "steradian/integrators/render.h"
-#include "steradian/integrators/scene.h"
+#include "steradian/integrators/render/render.h"
+#include "steradian/integrators/scene/scene.h"
 
 namespace steradian {
 namespace {

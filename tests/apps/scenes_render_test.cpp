@@ -9,10 +9,10 @@
 
 #include "steradian/apps/scenes/builders.h"
 #include "steradian/apps/scenes/scenes.h"
-#include "steradian/core/image_metrics.h"
+#include "steradian/core/image/image_metrics.h"
 #include "steradian/integrators/make_integrator.h"
-#include "steradian/integrators/render.h"
-#include "steradian/integrators/scene.h"
+#include "steradian/integrators/render/render.h"
+#include "steradian/integrators/scene/scene.h"
 #include "steradian/tests/support/statistics.h"
 
 namespace steradian {

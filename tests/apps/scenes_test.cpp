@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "steradian/core/rng.h"
+#include "steradian/core/samplers/rng.h"
 
 namespace steradian {
 namespace {

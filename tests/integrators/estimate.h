@@ -2,8 +2,8 @@
 /// Means of pictures with honest standard errors, for Z-tests.
 #include <gtest/gtest.h>
 
-#include "steradian/integrators/integrator.h"
-#include "steradian/integrators/render.h"
+#include "steradian/integrators/render/integrator.h"
+#include "steradian/integrators/render/render.h"
 
 namespace steradian::test {
 

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "steradian/integrators/path.h"
+#include "steradian/integrators/path/path.h"
 
 namespace steradian {
 namespace {

@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "steradian/core/rng.h"
+#include "steradian/core/samplers/rng.h"
 #include "steradian/tests/integrators/moving_scenes.h"
 #include "steradian/tests/integrators/small_scenes.h"
 #include "steradian/tests/integrators/strategies.h"

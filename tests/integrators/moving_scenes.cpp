@@ -1,6 +1,6 @@
 #include "steradian/tests/integrators/moving_scenes.h"
 
-#include "steradian/core/motion.h"
+#include "steradian/core/math/motion.h"
 #include "steradian/tests/integrators/small_scenes.h"
 
 namespace steradian::test {

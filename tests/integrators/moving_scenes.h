@@ -1,6 +1,6 @@
 #pragma once
 /// Rooms in which something moves while the shutter is open, and what they are at one time of it.
-#include "steradian/core/description.h"
+#include "steradian/core/scene/description.h"
 
 namespace steradian::test {
 

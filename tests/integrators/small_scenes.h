@@ -1,7 +1,7 @@
 #pragma once
 /// Scenes of a few shapes, whose light is known or quick to estimate.
-#include "steradian/core/description.h"
-#include "steradian/integrators/render_settings.h"
+#include "steradian/core/scene/description.h"
+#include "steradian/integrators/render/render_settings.h"
 
 namespace steradian::test {
 

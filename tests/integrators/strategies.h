@@ -1,6 +1,6 @@
 #pragma once
 /// The direct-light strategies of the path integrator, against one another and against numbers that are known.
-#include "steradian/integrators/path.h"
+#include "steradian/integrators/path/path.h"
 #include "steradian/tests/integrators/estimate.h"
 
 namespace steradian::test {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "steradian/integrators/render.h"
+#include "steradian/integrators/render/render.h"
 
 namespace steradian::test {
 

@@ -14,10 +14,11 @@ class Layering : public testing::Test {
  protected:
   Layering() : root_(fs::path(testing::TempDir()) / ("steradian-layering-" + std::string(name()))) {
     fs::remove_all(root_);
-    write("core/ray.h", "#pragma once\n#include <cmath>\n");
-    write("accel/shapes/quad.h", "#pragma once\n#include \"steradian/core/ray.h\"\n");
-    write("accel/embree_scene.cpp", "#include <embree3/rtcore.h>\n#include \"steradian/accel/shapes/quad.h\"\n");
-    write("materials/lambert.h", "#pragma once\n#include \"steradian/core/ray.h\"\n");
+    write("core/math/ray.h", "#pragma once\n#include <cmath>\n");
+    write("accel/shapes/primitives/quad.h", "#pragma once\n#include \"steradian/core/math/ray.h\"\n");
+    write("accel/embree_scene.cpp",
+          "#include <embree3/rtcore.h>\n#include \"steradian/accel/shapes/primitives/quad.h\"\n");
+    write("materials/lambert.h", "#pragma once\n#include \"steradian/core/math/ray.h\"\n");
     write("lights/light.h", "#pragma once\n#include \"steradian/materials/lambert.h\"\n");
   }
   ~Layering() override {
@@ -42,14 +43,44 @@ class Layering : public testing::Test {
 TEST_F(Layering, AcceptsAProperTree) { EXPECT_EQ(violations(), Lines{}); }
 
 TEST_F(Layering, RejectsDependenciesThatPointBackwards) {
-  write("core/a.h", "#pragma once\n\n#include \"steradian/materials/lambert.h\"\n");
-  write("materials/b.cpp", "#  include \"steradian/accel/shapes/quad.h\"\n");
-  write("accel/shapes/c.cpp", "#include \"steradian/accel/embree_scene.cpp\"\n");
+  write("core/base/a.h", "#pragma once\n\n#include \"steradian/materials/lambert.h\"\n");
+  write("materials/b.cpp", "#  include \"steradian/accel/shapes/primitives/quad.h\"\n");
+  write("accel/shapes/clusters/c.cpp", "#include \"steradian/accel/embree_scene.cpp\"\n");
   write("accel/d.cpp", "#include \"steradian/lights/light.h\"\n");
-  EXPECT_EQ(violations(), (Lines{"accel/d.cpp:1: accel/ may not know lights/light.h",
-                                 "accel/shapes/c.cpp:1: accel/shapes/ may not know accel/embree_scene.cpp",
-                                 "core/a.h:3: core/ may not know materials/lambert.h",
-                                 "materials/b.cpp:1: materials/ may not know accel/shapes/quad.h"}));
+  EXPECT_EQ(
+      violations(),
+      (Lines{"accel/d.cpp:1: accel/ may not know lights/light.h",
+             "accel/shapes/clusters/c.cpp:1: accel/shapes/clusters/ may not know accel/embree_scene.cpp: its sub-room "
+             "comes later",
+             "core/base/a.h:3: core/ may not know materials/lambert.h",
+             "materials/b.cpp:1: materials/ may not know accel/shapes/primitives/quad.h"}));
+}
+
+TEST_F(Layering, RejectsIncludesOfLaterSubRooms) {
+  write("core/film/film.h", "#pragma once\n");
+  write("core/samplers/sobol.h", "#pragma once\n#include \"steradian/core/film/film.h\"\n");
+  write("core/scene/camera.cpp", "#include \"steradian/core/film/film.h\"\n");  // later may know earlier
+  write("accel/shapes/primitives/disk.h", "#pragma once\n#include \"steradian/accel/shapes/clusters/leaf.h\"\n");
+  write("accel/shapes/clusters/leaf.h", "#pragma once\n");
+  write("integrators/path/path.h", "#pragma once\n#include \"steradian/integrators/registry.h\"\n");
+  write("integrators/registry.h", "#pragma once\n#include \"steradian/integrators/scene/scene.h\"\n");
+  write("integrators/scene/scene.h", "#pragma once\n");
+  EXPECT_EQ(violations(),
+            (Lines{"accel/shapes/primitives/disk.h:2: accel/shapes/primitives/ may not know "
+                   "accel/shapes/clusters/leaf.h: its sub-room comes later",
+                   "core/samplers/sobol.h:2: core/samplers/ may not know core/film/film.h: its sub-room comes later",
+                   "integrators/path/path.h:2: integrators/path/ may not know integrators/registry.h: its sub-room "
+                   "comes later"}));
+}
+
+TEST_F(Layering, RejectsFilesOutsideOfSubRooms) {
+  write("core/drawer.h", "#pragma once\n");
+  write("core/drawer/thing.h", "#pragma once\n");
+  write("accel/shapes/thing.h", "#pragma once\n");
+  write("accel/geometry.h", "#pragma once\n");
+  EXPECT_EQ(violations(), (Lines{"accel/shapes/thing.h:1: lies in no sub-room of accel/",
+                                 "core/drawer.h:1: lies in no sub-room of core/",
+                                 "core/drawer/thing.h:1: lies in no sub-room of core/"}));
 }
 
 TEST_F(Layering, RejectsEverythingThatIncludesTests) {
@@ -59,17 +90,19 @@ TEST_F(Layering, RejectsEverythingThatIncludesTests) {
 }
 
 TEST_F(Layering, RejectsIncludesThatUsersCannotWrite) {
-  write("core/a.cpp", "#include \"ray.h\"\n#include <steradian/core/ray.h>\n#include \"steradian/core/gone.h\"\n");
-  EXPECT_EQ(violations(), (Lines{"core/a.cpp:1: \"ray.h\" is not written as \"steradian/...\"",
-                                 "core/a.cpp:2: <steradian/core/ray.h>: our own includes stand in quotes",
-                                 "core/a.cpp:3: core/gone.h does not exist"}));
+  write("core/scene/a.cpp",
+        "#include \"ray.h\"\n#include <steradian/core/math/ray.h>\n#include \"steradian/core/scene/gone.h\"\n");
+  EXPECT_EQ(violations(), (Lines{"core/scene/a.cpp:1: \"ray.h\" is not written as \"steradian/...\"",
+                                 "core/scene/a.cpp:2: <steradian/core/math/ray.h>: our own includes stand in quotes",
+                                 "core/scene/a.cpp:3: core/scene/gone.h does not exist"}));
 }
 
 TEST_F(Layering, KeepsEmbreeAndSimdWhereTheyBelong) {
   write("accel/other.cpp", "#include <embree4/rtcore.h>\n");
-  write("accel/shapes/leaf.cpp", "#include <immintrin.h>\ntypedef float v4 __attribute__((vector_size(16)));\n");
-  write("core/lanes.h", "#pragma once\n#include <immintrin.h>\n__m256 lanes;\n");
-  write("core/words.cpp", "// a comment may speak of vector_size\n");
+  write("accel/shapes/clusters/leaf.cpp",
+        "#include <immintrin.h>\ntypedef float v4 __attribute__((vector_size(16)));\n");
+  write("core/math/lanes.h", "#pragma once\n#include <immintrin.h>\n__m256 lanes;\n");
+  write("core/base/words.cpp", "// a comment may speak of vector_size\n");
   write("accel/embree_api.h", "#pragma once\n#include <embree4/rtcore.h>\n");
   write("accel/geometry.cpp", "#include \"steradian/accel/embree_api.h\"\n");
   write("tests/accel/geometry_test.cpp", "#include \"steradian/accel/embree_api.h\"\n");
@@ -77,24 +110,24 @@ TEST_F(Layering, KeepsEmbreeAndSimdWhereTheyBelong) {
   EXPECT_EQ(violations(),
             (Lines{"accel/geometry.h:2: only sources of accel and its tests may include accel/embree_api.h",
                    "accel/other.cpp:1: only accel/embree_* may include embree4/rtcore.h",
-                   "accel/shapes/leaf.cpp:1: only core/lanes* may use SIMD directly: immintrin.h",
-                   "accel/shapes/leaf.cpp:2: only core/lanes* may use SIMD directly: typedef float v4 "
+                   "accel/shapes/clusters/leaf.cpp:1: only core/math/lanes* may use SIMD directly: immintrin.h",
+                   "accel/shapes/clusters/leaf.cpp:2: only core/math/lanes* may use SIMD directly: typedef float v4 "
                    "__attribute__((vector_size(16)));"}));
 }
 
 TEST_F(Layering, KeepsPrivateLibrariesOutOfPublicHeaders) {
-  write("core/image.cpp", "#include <OpenImageIO/imageio.h>\n");
-  write("core/image.h", "#pragma once\n#include <OpenImageIO/imageio.h>\n");
-  EXPECT_EQ(violations(), Lines{"core/image.h:2: a public header may not include OpenImageIO/imageio.h"});
+  write("core/image/image.cpp", "#include <OpenImageIO/imageio.h>\n");
+  write("core/image/image.h", "#pragma once\n#include <OpenImageIO/imageio.h>\n");
+  EXPECT_EQ(violations(), Lines{"core/image/image.h:2: a public header may not include OpenImageIO/imageio.h"});
 }
 
 TEST_F(Layering, RejectsLongFilesAndUnguardedHeaders) {
   std::string lines;
   for (int i = 0; i < 451; ++i) lines += "\n";
-  write("core/long.cpp", lines);
-  write("core/open.h", "int twice();\n");
-  EXPECT_EQ(violations(), (Lines{"core/long.cpp:451: longer than 450 lines: split it",
-                                 "core/open.h:1: a header without #pragma once"}));
+  write("core/base/long.cpp", lines);
+  write("core/base/open.h", "int twice();\n");
+  EXPECT_EQ(violations(), (Lines{"core/base/long.cpp:451: longer than 450 lines: split it",
+                                 "core/base/open.h:1: a header without #pragma once"}));
 }
 
 TEST(LayeringOfThisProject, HoldsEverywhere) {

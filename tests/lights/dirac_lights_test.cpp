@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "steradian/core/rng.h"
-#include "steradian/core/warp.h"
+#include "steradian/core/samplers/rng.h"
+#include "steradian/core/sampling/warp.h"
 
 namespace steradian {
 namespace {

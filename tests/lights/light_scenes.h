@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "steradian/core/rng.h"
+#include "steradian/core/samplers/rng.h"
 #include "steradian/lights/light_set.h"
 
 namespace steradian::test {

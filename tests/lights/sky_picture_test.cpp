@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "steradian/core/camera.h"
+#include "steradian/core/scene/camera.h"
 #include "steradian/tests/lights/sky_pictures.h"
 #include "steradian/tests/support/lanes_check.h"
 #include "steradian/tests/support/statistics.h"

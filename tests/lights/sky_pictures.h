@@ -2,7 +2,7 @@
 /// Pictures of skies.
 #include <memory>
 
-#include "steradian/core/rng.h"
+#include "steradian/core/samplers/rng.h"
 #include "steradian/lights/skies.h"
 
 namespace steradian::test {

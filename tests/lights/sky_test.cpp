@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "steradian/core/rng.h"
+#include "steradian/core/samplers/rng.h"
 
 namespace steradian {
 namespace {

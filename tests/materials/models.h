@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "steradian/core/rng.h"
+#include "steradian/core/samplers/rng.h"
 #include "steradian/materials/absorber.h"
 #include "steradian/materials/coated.h"
 #include "steradian/materials/dielectric.h"

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <functional>
 
-#include "steradian/core/frame.h"
+#include "steradian/core/math/frame.h"
 #include "steradian/tests/materials/models.h"
 #include "steradian/tests/support/statistics.h"
 

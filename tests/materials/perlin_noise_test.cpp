@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "steradian/core/running_mean.h"
+#include "steradian/core/statistics/running_mean.h"
 #include "steradian/tests/support/lanes_check.h"
 
 namespace steradian {

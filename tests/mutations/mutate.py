@@ -137,17 +137,31 @@ def failure_of(test: str, timeout: float | None = None) -> str:
     return f"{test}: {how}"
 
 
+ROOMS = ("core", "accel/shapes", "accel", "materials", "lights", "integrators")  # from the inside out, as includes point
+
+
+def room_of(test: str) -> str:
+    """The room that a test, "core/film/film_test", belongs to."""
+    for room in ROOMS:
+        if test.startswith(room + "/"):
+            return room
+    return test.partition("/")[0]
+
+
+def all_tests() -> list[str]:
+    """The unit and statistical tests."""
+    tests = TREE / "tests"
+    names = [str(path.relative_to(tests).with_suffix("")) for path in sorted(tests.rglob("*_test.cpp"))]
+    return [name for name in names if not re.search("_(render|cli|book)_test$", name)]
+
+
 def rooms() -> list[str]:
-    """From the inside out, as includes point."""
-    order = ("core", "shapes", "accel", "materials", "lights", "integrators")
-    found = {path.parent.name for path in (TREE / "tests").glob("*/*_test.cpp")}
-    return [room for room in order if room in found] + sorted(found.difference(order))
+    found = {room_of(test) for test in all_tests()}
+    return [room for room in ROOMS if room in found] + sorted(found.difference(ROOMS))
 
 
 def tests_of(room: str) -> list[str]:
-    """The unit and statistical tests of a room."""
-    names = [path.stem for path in (TREE / "tests" / room).glob("*_test.cpp")]
-    return [f"{room}/{name}" for name in sorted(names) if not re.search("_(render|cli)_test$", name)]
+    return [test for test in all_tests() if room_of(test) == room]
 
 
 @contextlib.contextmanager
@@ -202,7 +216,7 @@ class Runner:
 
     def judge_whole(self, mutation: Mutation) -> Result:
         self.expect_green([test for room in rooms() for test in tests_of(room)])
-        own = mutation.tests[0].partition("/")[0]
+        own = room_of(mutation.tests[0])
         with applied(mutation):
             for room in sorted(rooms(), key=lambda room: room != own):
                 tests = [test for test in tests_of(room) if test not in mutation.tests]

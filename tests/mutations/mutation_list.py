@@ -1,13 +1,13 @@
 """The lists of mutations: small faults that the tests have to notice.
 
-    == core/warp.h
+    == core/sampling/warp.h
     A comment for people follows a hash sign.
     Sphere: the radius of a circle of latitude is not halved      <- what is wrong
     - F(2.0f) * u.x                                               <- text that stands exactly once in the file
     + u.x                                                         <- what it becomes
 
 Several lines with - or + are one text of several lines. The tests that mirror a file run first; where there are none of
-its name, or better ones, the heading names them: == core/owen.h: core/sobol_test core/sobol_stat_test
+its name, or better ones, the heading names them: == core/samplers/owen.h: core/samplers/sobol_test core/sobol_stat_test
 """
 
 import dataclasses
@@ -17,7 +17,7 @@ import pathlib
 @dataclasses.dataclass(frozen=True)
 class Mutation:
     file: str  # from the root of the project
-    tests: tuple[str, ...]  # "core/warp_test", ...: run first
+    tests: tuple[str, ...]  # "core/sampling/warp_test", ...: run first
     description: str
     search: str
     replacement: str
@@ -33,9 +33,8 @@ class ListError(Exception):
 
 
 def mirrored_tests(root: pathlib.Path, file: str) -> tuple[str, ...]:
-    """The tests of the same name: accel/shapes/x.h has tests/shapes/x_test.cpp and x_stat_test.cpp."""
-    path = pathlib.Path(file)
-    names = [f"{path.parent.name}/{path.stem}{kind}" for kind in ("_test", "_stat_test")]
+    """The tests of the same name: core/film/x.h has tests/core/film/x_test.cpp and x_stat_test.cpp."""
+    names = [f"{pathlib.Path(file).with_suffix('')}{kind}" for kind in ("_test", "_stat_test")]
     return tuple(name for name in names if (root / "tests" / f"{name}.cpp").is_file())
 
 

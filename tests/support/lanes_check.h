@@ -11,8 +11,8 @@
 #include <tuple>
 #include <vector>
 
-#include "steradian/core/rng.h"
-#include "steradian/core/vec.h"
+#include "steradian/core/math/vec.h"
+#include "steradian/core/samplers/rng.h"
 
 namespace steradian::test {
 

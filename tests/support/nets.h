@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "steradian/core/vec.h"
+#include "steradian/core/math/vec.h"
 
 namespace steradian::test {
 

@@ -8,8 +8,8 @@
 #include <limits>
 #include <string>
 
-#include "steradian/core/distribution.h"
-#include "steradian/core/warp.h"
+#include "steradian/core/sampling/distribution.h"
+#include "steradian/core/sampling/warp.h"
 
 namespace steradian::test {
 namespace {

@@ -4,7 +4,7 @@
 #include <functional>
 #include <numeric>
 
-#include "steradian/core/rng.h"
+#include "steradian/core/samplers/rng.h"
 #include "steradian/tests/support/sphere_cells.h"
 #include "steradian/tests/support/statistics.h"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "steradian/core/direction_pdf.h"
+#include "steradian/core/sampling/direction_pdf.h"
 #include "steradian/tests/support/statistics.h"
 
 namespace steradian::test {

@@ -16,8 +16,8 @@
 #include <span>
 #include <vector>
 
-#include "steradian/core/running_mean.h"
-#include "steradian/core/scattering.h"
+#include "steradian/core/statistics/running_mean.h"
+#include "steradian/core/transport/scattering.h"
 
 namespace steradian::test {
 

@@ -1,0 +1,22 @@
+#pragma once
+/// Sphere that moves along a line while the shutter is open ("The Next Week", 2.3), and its leaf kernel.
+#include "steradian/accel/shapes/primitives/sphere.h"
+
+namespace steradian {
+
+template <class F>
+struct MovingSphere {
+  Vec3<F> center;  ///< at time 0
+  Vec3<F> move;    ///< to where it is at time 1
+  F radius;        ///< > 0; scene units
+
+  /// The sphere that it is then. Queries and surface points take the same, to the bit, and so it counts as exact.
+  Sphere<F> at(F time) const { return {center + move * time, radius}; }
+};
+
+template <class F>
+ShapeHit<F> intersect(const MovingSphere<F>& sphere, const Ray<F>& ray) {
+  return intersect(sphere.at(ray.time), ray);
+}
+
+}  // namespace steradian

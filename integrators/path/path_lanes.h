@@ -1,0 +1,378 @@
+#pragma once
+/// Paths in lanes, one vertex at a time: what path_loop.h does there, for several paths at once.
+///
+/// Lane by lane the same functions are computed in the same order: pictures are the same to the bit. What differs
+/// between lanes (materials, lights, kinds of shapes) is done one after the other for those lanes that need it.
+#include <bit>
+
+#include "steradian/integrators/path/path_loop.h"
+#include "steradian/integrators/path/path_state.h"
+#include "steradian/integrators/path/wide_flight.h"
+#include "steradian/integrators/path/wide_scene.h"
+
+namespace steradian {
+
+template <class F>
+class PathLanes {
+ public:
+  using Mask = MaskOf<F>;
+  using Uint = UintOf<F>;
+
+  PathLanes(const WideScene& scene, const PathPlan& plan, PathCounts& counts)
+      : scene_(scene),
+        plan_(plan),
+        counts_(counts),
+        flight_(scene),
+        hasVolumes_(flight_.needed()),
+        byLane_(plan.scatterPdf != ScatterPdf::Bsdf) {}
+
+  /// What the paths meet.
+  struct Vertex {
+    SurfacePoint<F> surface;
+    Mask hit{false};  ///< there is one; where there is none, the path has ended
+    ScatterPoint<F> point;
+    Vec3<F> wo;
+    ShadingFrame<F> frame;
+    MaterialTable::Parameters<F> material;
+    F diracProbability{0.0f};
+    Mask lightSampled{true};
+    // Where there are volumes:
+    Mask inMedium{false};
+    F anisotropy{0.0f};
+
+    /// fly() returns the surfaces that the path's rays come to.
+    template <class Fly>
+    Vertex(const MaterialTable& materials, const PathState<F>& path, const Fly& fly)
+        : surface(fly()),
+          point(scatterPoint(surface, path.ray.time)),
+          wo(-path.ray.direction),
+          frame(surface.geometricNormal, usableShadingNormal(surface.geometricNormal, surface.shadingNormal, wo)),
+          material(materials.parameters(surface, surface.valid)) {}
+  };
+
+  /// Sends the active lanes' paths to what they meet. Radiance grows by what they find on the way and there.
+  [[gnu::always_inline]] inline Vertex arrive(PathState<F>& path, const Sampler<F>& sampler, Uint bounce, Mask active,
+                                              Spectrum<F>& radiance);
+  /// Tells sampleOf(i), a PixelSample, what lane i has met first.
+  template <class SampleOf>
+  void recordFirst(const Vertex& vertex, Mask lanes, const SampleOf& sampleOf) const;
+  /// Radiance that leaves the vertices by which paths came to them, of light that comes straight from the lights.
+  Spectrum<F> directLight(const Vertex& vertex, const Sampler<F>& sampler, Uint bounce, Mask going);
+  /// Radiance towards wo per radiance from wi (times the cosine), and the density with which `leave` takes a continuous
+  /// lobe and chooses wi.
+  BsdfValue<F> evaluate(const Vertex& vertex, const Vec3<F>& wi, Mask lanes) const {
+    BsdfValue<F> f = eval(vertex, wi, lanes);
+    f.pdf = mixedDensity(vertex, wi, f.pdf, lanes);
+    return f;
+  }
+  struct Departure {
+    Mask going;  ///< those that do go on
+    F pdf;       ///< with which their directions were chosen; kDirac
+  };
+  /// Sends paths on from their vertices.
+  Departure leave(const Vertex& vertex, const Sampler<F>& sampler, Uint bounce, Mask going, PathState<F>& path);
+
+  bool hasVolumes() const { return hasVolumes_; }
+  /// Where there are volumes, what the lanes' rays are inside of.
+  WideFlight<F>& flight() { return flight_; }
+
+ private:
+  /// A model on a surface.
+  template <class Model>
+  struct Shading {
+    const ShadingFrame<F>& frame;
+    const Model& model;
+
+    BsdfValue<F> eval(Vec3<F> wo, Vec3<F> wi, Transport t) const { return frame.eval(model, wo, wi, t); }
+    BsdfSample<F> sample(Vec3<F> wo, const BsdfRandom<F>& random, Transport t) const {
+      return frame.sample(model, wo, random, t);
+    }
+  };
+  /// Calls visit(scatterer, mask) for every kind of Shading and for Phase, if some active lane has it.
+  template <class Visit>
+  void forEachScatterer(const Vertex& vertex, Mask active, const Visit& visit) const {
+    if (hasVolumes_) {
+      const Mask mine = active & vertex.inMedium;
+      if (any(mine)) visit(Phase<F>{vertex.anisotropy}, mine);
+      active = active & !vertex.inMedium;
+    }
+    scene_.materials().forEachModel(vertex.material, active, [&](const auto& model, Mask mine) {
+      visit(Shading<std::decay_t<decltype(model)>>{vertex.frame, model}, mine);
+    });
+  }
+
+  /// The surfaces that the paths come to. (With a conditional operator the points would be copied.)
+  SurfacePoint<F> fly(PathState<F>& path, const Sampler<F>& sampler, Uint bounce, Mask active, Spectrum<F>& radiance) {
+    if (!hasVolumes_) return scene_.intersect(path.ray, active);
+    return flight_.fly(path.ray, active, sampler.get2D(bounce, Purpose::Phase), path.throughput, radiance);
+  }
+  void addEmission(const PathState<F>& path, const SurfacePoint<F>& surface, Mask arrived, Spectrum<F>& radiance);
+  [[gnu::noinline]] void addMedia(Vertex& vertex);
+  Spectrum<F> directLight(const LightSet& lights, const Vertex& vertex, const Sampler<F>& sampler, Uint bounce,
+                          Mask lit);
+  BsdfValue<F> eval(const Vertex& vertex, const Vec3<F>& wi, Mask lanes) const;
+  BsdfSample<F> sample(const Vertex& vertex, const BsdfRandom<F>& random, Mask lanes) const;
+  /// As in path_loop.h.
+  F mixedDensity(const Vertex& vertex, const Vec3<F>& wi, F scattered, Mask lanes) const;
+  BsdfSample<F> scatter(const Vertex& vertex, const Sampler<F>& sampler, Uint bounce, Mask going);
+  [[gnu::noinline]] BsdfSample<F> scatterMixture(const Vertex& vertex, const BsdfRandom<F>& random,
+                                                 const Sampler<F>& sampler, Uint bounce, Mask going);
+  /// Calls visit(vertex, sampler, bounce, lane) for lanes one by one, with a vertex of width 1: for what is done by
+  /// the functions of path_loop.h, because it draws from other densities.
+  template <class Visit>
+  void forEachVertex(const Vertex& vertex, const Sampler<F>& sampler, Uint bounce, Mask lanes, const Visit& visit);
+
+  const WideScene& scene_;
+  const PathPlan& plan_;
+  PathCounts& counts_;
+  WideFlight<F> flight_;
+  bool hasVolumes_;
+  bool byLane_;
+  static constexpr std::uint32_t kDielectric = indexOfModel<Dielectric<float>>();
+};
+
+template <class F>
+typename PathLanes<F>::Vertex PathLanes<F>::arrive(PathState<F>& path, const Sampler<F>& sampler, Uint bounce,
+                                                   Mask active, Spectrum<F>& radiance) {
+  Vertex vertex(scene_.materials(), path, [&] { return fly(path, sampler, bounce, active, radiance); });
+  const SurfacePoint<F>& surface = vertex.surface;
+  vertex.hit = active & surface.valid;
+  Mask arrived = active;
+  if (hasVolumes_) {
+    arrived = active & !flight_.inMedium();
+    vertex.hit = (vertex.hit | (active & flight_.inMedium())) & !isBlack(path.throughput);
+  }
+  addEmission(path, surface, arrived, radiance);
+
+  Mask onSurface = vertex.hit;
+  if (hasVolumes_) {
+    addMedia(vertex);
+    onSurface = onSurface & !vertex.inMedium;
+  }
+  const Vec3<F> localWo = vertex.frame.toLocal(vertex.wo);
+  scene_.materials().forEachModel(vertex.material, onSurface, [&](const auto& model, Mask mine) {
+    vertex.diracProbability = select(mine, model.diracProbability(localWo), vertex.diracProbability);
+    if (plan_.strategy == Strategy::Light) {
+      vertex.lightSampled = select(mine, Mask(samplesLights(model, localWo)), vertex.lightSampled);
+    }
+  });
+  return vertex;
+}
+
+template <class F>
+template <class SampleOf>
+void PathLanes<F>::recordFirst(const Vertex& vertex, Mask lanes, const SampleOf& sampleOf) const {
+  const Vec3<F> normal = faceForward(vertex.frame.shadingNormal(), vertex.wo);
+  const Vec3<F> localWo = vertex.frame.toLocal(vertex.wo);
+  Spectrum<F> albedo;
+  scene_.materials().forEachModel(vertex.material, lanes & !vertex.inMedium, [&](const auto& model, Mask mine) {
+    albedo = select(mine, model.albedo(localWo), albedo);
+  });
+  forEachLane(lanes, [&](int i) {
+    PixelSample& sample = sampleOf(i);
+    if (lane(vertex.inMedium, i)) {
+      setFirstHit(sample, lane(flight_.medium(), i), lane(flight_.distance(), i));
+      return;
+    }
+    sample.alpha = 1.0f;
+    sample.albedo = lane(albedo, i);
+    sample.normal = lane(normal, i);
+    sample.depth = lane(vertex.surface.distance, i);
+  });
+}
+
+template <class F>
+void PathLanes<F>::addEmission(const PathState<F>& path, const SurfacePoint<F>& surface, Mask arrived,
+                               Spectrum<F>& radiance) {
+  const float lightSamples = static_cast<float>(plan_.lightSamples);
+  const Mask finds = scene_.findsLight(surface, arrived), sky = finds & !surface.valid;
+  if (any(sky)) {
+    const Emission<F> emission = plan_.lights->skyEmission(path.from, path.ray.direction);
+    const F weight =
+        select(emission.pdf > F(0.0f), misWeight(path.fromDensity, F(lightSamples) * emission.pdf), F(1.0f));
+    radiance = select(sky, radiance + path.throughput * emission.radiance * weight, radiance);
+  }
+  // Few lanes at a time: once per path at most, but for lights that one sees through glass.
+  forEachLane(finds & surface.valid, [&](int i) {
+    const PathState<float> one = lane(path, i);
+    const Emission<float> emission = plan_.lights->emission(one.from, one.ray, lane(surface, i));
+    const float weight = emission.pdf > 0.0f ? misWeight(one.fromDensity, lightSamples * emission.pdf) : 1.0f;
+    setLane(radiance, i, lane(radiance, i) + one.throughput * emission.radiance * weight);
+  });
+}
+
+/// What media make of the vertices: places where they scatter, and the index around dielectrics.
+template <class F>
+void PathLanes<F>::addMedia(Vertex& vertex) {
+  const Mask inMedium = flight_.inMedium();
+  vertex.inMedium = inMedium;
+  F& eta = vertex.material.eta;
+  eta = select(vertex.material.model == Uint(kDielectric), eta / flight_.outsideEta(), eta);
+  vertex.point.position = select(inMedium, flight_.position(), vertex.point.position);
+  vertex.point.positionError = select(inMedium, Vec3<F>{}, vertex.point.positionError);
+  vertex.point.geometricNormal = select(inMedium, Vec3<F>{}, vertex.point.geometricNormal);
+  vertex.anisotropy = flight_.medium().anisotropy;
+}
+
+template <class F>
+Spectrum<F> PathLanes<F>::directLight(const Vertex& vertex, const Sampler<F>& sampler, Uint bounce, Mask going) {
+  if (byLane_) {
+    Spectrum<F> light;
+    SceneQueries queries(scene_.scene(), counts_);
+    forEachVertex(vertex, sampler, bounce, going, [&](const auto& one, const auto& own, std::uint32_t k, int i) {
+      setLane(light, i, steradian::directLight(plan_, queries, one, own, k));
+    });
+    return light;
+  }
+  const Mask lit = going & (vertex.diracProbability < F(1.0f));
+  if (plan_.strategy != Strategy::Light) return directLight(*plan_.lights, vertex, sampler, bounce, lit);
+  const Spectrum<F> all = directLight(*plan_.lights, vertex, sampler, bounce, lit & vertex.lightSampled);
+  return all + directLight(*plan_.diracLights, vertex, sampler, bounce, lit & !vertex.lightSampled);
+}
+
+template <class F>
+Spectrum<F> PathLanes<F>::directLight(const LightSet& lights, const Vertex& vertex, const Sampler<F>& sampler,
+                                      Uint bounce, Mask lit) {
+  Spectrum<F> sum;
+  if (lights.empty() || !any(lit)) return sum;
+  const F count(static_cast<float>(plan_.lightSamples));
+  for (std::uint32_t k = 0; k < plan_.lightSamples; ++k) {
+    const Uint own = bounce + Uint(k * (plan_.maxDepth + 1));
+    const F choice = lights.size() > 1 ? sampler.get1D(own, Purpose::LightSelect) : F(0.0f);
+    const LightSample<F> light =
+        lights.sample(vertex.point, LightRandom<F>{choice, sampler.get2D(own, Purpose::LightPosition)}, lit);
+    Mask sampled = lit & (light.pdf > F(0.0f));
+    const BsdfValue<F> f = eval(vertex, light.wi, sampled);
+    sampled = sampled & !isBlack(f.value);
+    if (!any(sampled)) continue;
+    counts_.shadowRays += static_cast<std::uint64_t>(std::popcount(laneBits(sampled)));
+    const Ray<F> shadow = spawnRay(vertex.point, light.wi, light.distance);
+    const F other = plan_.strategy == Strategy::Mis ? mixedDensity(vertex, light.wi, f.pdf, sampled) : F(0.0f);
+    const F weight = misWeight(count * light.pdf, other);
+    if (hasVolumes_) {
+      const Spectrum<F> visible = flight_.transmittance(vertex.surface, vertex.wo, shadow, sampled);
+      sum += select(sampled & !isBlack(visible), f.value * light.weight * visible * weight, Spectrum<F>{});
+    } else {
+      const Mask visible = sampled & !scene_.occluded(shadow, sampled);
+      sum += select(visible, f.value * light.weight * weight, Spectrum<F>{});
+    }
+  }
+  return sum / count;
+}
+
+template <class F>
+BsdfValue<F> PathLanes<F>::eval(const Vertex& vertex, const Vec3<F>& wi, Mask lanes) const {
+  BsdfValue<F> f;
+  forEachScatterer(vertex, lanes, [&](const auto& scatterer, Mask mine) {
+    const BsdfValue<F> v = scatterer.eval(vertex.wo, wi, Transport::Radiance);
+    f.value = select(mine, v.value, f.value);
+    f.pdf = select(mine, v.pdf, f.pdf);
+  });
+  return f;
+}
+
+template <class F>
+BsdfSample<F> PathLanes<F>::sample(const Vertex& vertex, const BsdfRandom<F>& random, Mask lanes) const {
+  BsdfSample<F> sample;
+  forEachScatterer(vertex, lanes, [&](const auto& scatterer, Mask mine) {
+    const BsdfSample<F> s = scatterer.sample(vertex.wo, random, Transport::Radiance);
+    sample.weight = select(mine, s.weight, sample.weight);
+    sample.wi = select(mine, s.wi, sample.wi);
+    sample.pdf = select(mine, s.pdf, sample.pdf);
+    sample.eta = select(mine, s.eta, sample.eta);
+  });
+  return sample;
+}
+
+template <class F>
+F PathLanes<F>::mixedDensity(const Vertex& vertex, const Vec3<F>& wi, F scattered, Mask lanes) const {
+  if (!(plan_.targetWeight > 0.0f)) return scattered;
+  const F targetPdf = (F(1.0f) - vertex.diracProbability) * plan_.targets->pdfDirection(vertex.point, wi, lanes);
+  return F(plan_.targetWeight) * targetPdf + F(1.0f - plan_.targetWeight) * scattered;
+}
+
+template <class F>
+BsdfSample<F> PathLanes<F>::scatter(const Vertex& vertex, const Sampler<F>& sampler, Uint bounce, Mask going) {
+  if (byLane_) {
+    BsdfSample<F> samples;
+    SceneQueries queries(scene_.scene(), counts_);
+    forEachVertex(vertex, sampler, bounce, going, [&](const auto& one, const auto& own, std::uint32_t k, int i) {
+      const BsdfSample<float> next = scatteredRay(plan_, queries, one, own, k);
+      setLane(samples.weight, i, next.weight);
+      setLane(samples.wi, i, next.wi);
+      setLane(samples.pdf, i, next.pdf);
+      setLane(samples.eta, i, next.eta);
+    });
+    return samples;
+  }
+  const Mask choosing = going & (vertex.diracProbability > F(0.0f));
+  F lobe(0.0f);
+  if (any(choosing)) lobe = select(choosing, sampler.get1D(bounce, Purpose::BsdfLobe), lobe);
+  const BsdfRandom<F> random{lobe, sampler.get2D(bounce, Purpose::BsdfDirection)};
+  if (plan_.targetWeight > 0.0f) return scatterMixture(vertex, random, sampler, bounce, going);
+  return sample(vertex, random, going);
+}
+
+template <class F>
+BsdfSample<F> PathLanes<F>::scatterMixture(const Vertex& vertex, const BsdfRandom<F>& random, const Sampler<F>& sampler,
+                                           Uint bounce, Mask going) {
+  const Mask mixed = going & !(random.lobe < vertex.diracProbability);
+  const MixtureChoice<F> choice(plan_.targetWeight, random.direction);
+  const Mask aimed = mixed & choice.aimed;
+  const BsdfSample<F> scattered = sample(vertex, {random.lobe, choice.direction}, going & !aimed);
+  DirectionSample<F> target;
+  if (any(aimed)) {
+    const F select = plan_.targets->size() > 1 ? sampler.get1D(bounce, Purpose::Mixture) : F(0.0f);
+    const LightRandom<F> targetRandom{select, choice.direction};
+    target = plan_.targets->sampleDirection(vertex.point, targetRandom, aimed);
+  }
+  const Vec3<F> wi = select(aimed, target.wi, scattered.wi);
+  const Mask found = mixed & (select(aimed, target.pdf, scattered.pdf) > F(0.0f));
+  const BsdfValue<F> f = eval(vertex, wi, found);
+  const Mask lit = found & !isBlack(f.value);
+  const F pdf = any(lit) ? select(lit, mixedDensity(vertex, wi, f.pdf, lit), F(0.0f)) : F(0.0f);
+  return {select(mixed, f.value / pdf, scattered.weight), wi, select(mixed, pdf, scattered.pdf), Lobe<F>(kLobeDiffuse),
+          select(mixed, F(1.0f), scattered.eta)};
+}
+
+template <class F>
+template <class Visit>
+void PathLanes<F>::forEachVertex(const Vertex& vertex, const Sampler<F>& sampler, Uint bounce, Mask lanes,
+                                 const Visit& visit) {
+  forEachLane(lanes, [&](int i) {
+    const SurfacePoint<float> surface = lane(vertex.surface, i);
+    const Vec3f wo = lane(vertex.wo, i);
+    const float time = lane(vertex.point.time, i);
+    const Sampler<float> own(sampler.settings(), lane(sampler.pixel(), i), lane(sampler.sample(), i));
+    const std::uint32_t k = lane(bounce, i);
+    if (lane(vertex.inMedium, i)) {
+      const Phase<float> phase{lane(vertex.anisotropy, i)};
+      visit(vertexOf(lane(vertex.point.position, i), phase, wo, time, flight_.bodies(i)), own, k, i);
+    } else {
+      const Bsdf bsdf = scene_.scene().materials().bsdf(surface, wo, lane(flight_.outsideEta(), i));
+      visit(vertexOf(plan_, surface, bsdf, wo, time, flight_.bodies(i)), own, k, i);
+    }
+  });
+}
+
+template <class F>
+typename PathLanes<F>::Departure PathLanes<F>::leave(const Vertex& vertex, const Sampler<F>& sampler, Uint bounce,
+                                                     Mask going, PathState<F>& path) {
+  const BsdfSample<F> next = scatter(vertex, sampler, bounce, going);
+  going = going & (next.pdf > F(0.0f));
+  path.throughput = select(going, path.throughput * next.weight, path.throughput);
+  path.refraction = select(going, path.refraction * sqr(next.eta), path.refraction);
+  const Mask atStake = going & !(bounce < Uint(plan_.rouletteStart));
+  if (any(atStake)) {
+    const F survival = survivalProbability(plan_.rouletteStrength, path.throughput, path.refraction);
+    going = going & ((!atStake) | (sampler.get1D(bounce, Purpose::Roulette) < survival));
+    path.throughput = select(atStake, path.throughput * (F(1.0f) / survival), path.throughput);
+  }
+  if (hasVolumes_) flight_.scatter(vertex.surface, vertex.wo, next.wi, going);
+  path.ray = spawnRay(vertex.point, next.wi, F(kInfinity));
+  path.from = vertex.point;
+  path.fromDensity = competingDensity(plan_.strategy, vertex.lightSampled, next.pdf);
+  return {going, next.pdf};
+}
+
+}  // namespace steradian

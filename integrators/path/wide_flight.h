@@ -1,0 +1,171 @@
+#pragma once
+/// The flights of several paths at once: segments are traced, and media computed, with all lanes. Surfaces that may not
+/// be real, and the bodies that rays are inside of, are dealt with lane by lane; few segments end at such.
+#include <array>
+#include <bit>
+
+#include "steradian/integrators/path/wide_scene.h"
+#include "steradian/integrators/volumes/flight.h"
+
+namespace steradian {
+
+/// Calls visit(i) for the lanes of the mask, in order.
+template <class Mask, class Visit>
+void forEachLane(Mask mask, const Visit& visit) {
+  for (std::uint32_t bits = laneBits(mask); bits != 0; bits &= bits - 1) visit(std::countr_zero(bits));
+}
+
+template <class F>
+class WideFlight {
+ public:
+  using Mask = MaskOf<F>;
+  static constexpr int width = widthOf<F>;
+
+  explicit WideFlight(const WideScene& scene) : scene_(scene), volumes_(scene.scene().volumes()) {}
+
+  /// The scene has volumes: there is something to do at all.
+  bool needed() const { return !volumes_.empty(); }
+  /// A path begins in lane i.
+  void start(int i, const Ray<float>& cameraRay) {
+    bodies_[at(i)] = scene_.scene().bodiesAtStart(cameraRay);
+    setLane(inside_, i, volumes_.mediumIn(bodies_[at(i)]));
+  }
+
+  /// As `fly` in path_loop.h, for the active lanes; throughput and radiance are brought up to date.
+  [[gnu::noinline]] SurfacePoint<F> fly(Ray<F> ray, Mask active, const Vec2<F>& random, Spectrum<F>& throughput,
+                                        Spectrum<F>& radiance);
+  // Of the last flight:
+  Mask inMedium() const { return inMedium_; }            ///< lanes that a medium scatters ...
+  const Medium<F>& medium() const { return medium_; }    ///< ... which is this one ...
+  const Vec3<F>& position() const { return position_; }  ///< ... here, ...
+  F distance() const { return distance_; }               ///< ... this far from the ray's origin
+  F outsideEta() const { return outsideEta_; }           ///< see Boundary: of the surface met
+  const Bodies& bodies(int i) const { return bodies_[at(i)]; }
+
+  /// The lanes' paths leave these surfaces along wi, or are scattered in a medium.
+  [[gnu::noinline]] void scatter(const SurfacePoint<F>& surface, const Vec3<F>& wo, const Vec3<F>& wi, Mask going);
+  /// The share of light that arrives through shadow rays which leave where the last flights ended.
+  [[gnu::noinline]] Spectrum<F> transmittance(const SurfacePoint<F>& surface, const Vec3<F>& wo, Ray<F> ray, Mask lit);
+
+ private:
+  /// What a ray in each lane is inside of, and what became of it at surfaces.
+  using AllBodies = std::array<Bodies, static_cast<std::size_t>(width)>;
+  using AllCrossings = std::array<Crossings, static_cast<std::size_t>(width)>;
+
+  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
+  /// Lanes that leave a closed surface to its other side.
+  Mask changesBodies(const SurfacePoint<F>& surface, const Vec3<F>& wo, const Vec3<F>& wi, Mask lanes) const {
+    const Vec3<F>& n = surface.geometricNormal;
+    return lanes & surface.valid & (dot(wi, n) * dot(wo, n) < F(0.0f)) & isMoreThanWall(surface, lanes);
+  }
+  Mask isMoreThanWall(const SurfacePoint<F>& surface, Mask lanes) const {
+    return volumes_.template isMoreThanWall<F>(select(lanes & surface.valid, surface.shape, UintOf<F>(0u)));
+  }
+
+  const WideScene& scene_;
+  const Volumes& volumes_;
+  AllBodies bodies_;      ///< that the rays are inside of
+  UintOf<F> inside_{0u};  ///< the number of the medium there
+  AllCrossings crossings_;
+
+  Mask inMedium_{false};
+  Medium<F> medium_;
+  Vec3<F> position_;
+  F distance_{0.0f}, outsideEta_{1.0f};
+};
+
+template <class F>
+SurfacePoint<F> WideFlight<F>::fly(Ray<F> ray, Mask active, const Vec2<F>& random, Spectrum<F>& throughput,
+                                   Spectrum<F>& radiance) {
+  Flight<F> flight(throughput, random);
+  inMedium_ = Mask(false);
+  outsideEta_ = F(1.0f);
+  Mask crossed(false), lost(false);  // lanes
+  // What segments of these lanes met, in this medium. Returns those that go on.
+  const auto arrive = [&](const SurfacePoint<F>& met, const Medium<F>& medium, Mask lanes) {
+    const Mask scattered = flight.travel(medium, ray, select(met.valid, met.distance, F(kInfinity)), lanes);
+    inMedium_ = inMedium_ | scattered;
+    const Mask here = lanes & met.valid & !scattered;
+    Mask onward(false);
+    forEachLane(here & (crossed | isMoreThanWall(met, here)), [&](int i) {
+      Crossings& crossings = crossings_[at(i)];
+      if (!lane(crossed, i)) crossings.restart();
+      Ray<float> one = lane(ray, i);
+      if (crossings.pass(volumes_, lane(met, i), one, bodies_[at(i)])) {
+        setLane(ray.tMin, i, one.tMin);
+        setLane(onward, i, true);
+      } else {
+        setLane(outsideEta_, i, crossings.outsideEta());
+        setLane(lost, i, crossings.isLost());
+      }
+      setLane(inside_, i, volumes_.mediumIn(bodies_[at(i)]));
+    });
+    crossed = crossed | onward;
+    return onward;
+  };
+  SurfacePoint<F> arrivals = scene_.intersect(ray, active);
+  medium_ = volumes_.media().template at<F>(inside_);
+  for (Mask left = arrive(arrivals, medium_, active); any(left);) {
+    const SurfacePoint<F> met = scene_.intersect(ray, left);
+    const Medium<F> medium = volumes_.media().template at<F>(inside_);
+    forEachLane(left, [&](int i) { setLane(arrivals, i, lane(met, i)); });
+    medium_ = select(left, medium, medium_);
+    left = arrive(met, medium, left);
+  }
+  distance_ = flight.distance();
+  position_ = ray.at(distance_);
+  arrivals.valid = arrivals.valid & !inMedium_;
+  radiance = select(active, radiance + throughput * flight.emitted(), radiance);
+  throughput = select(active, select(lost, Spectrum<F>{}, throughput * flight.weight()), throughput);
+  return arrivals;
+}
+
+template <class F>
+void WideFlight<F>::scatter(const SurfacePoint<F>& surface, const Vec3<F>& wo, const Vec3<F>& wi, Mask going) {
+  forEachLane(changesBodies(surface, wo, wi, going), [&](int i) {
+    volumes_.scatter(lane(surface, i), lane(wo, i), lane(wi, i), bodies_[at(i)]);
+    setLane(inside_, i, volumes_.mediumIn(bodies_[at(i)]));
+  });
+}
+
+template <class F>
+Spectrum<F> WideFlight<F>::transmittance(const SurfacePoint<F>& surface, const Vec3<F>& wo, Ray<F> ray, Mask lit) {
+  if (!volumes_.passable()) lit = lit & !scene_.occluded(ray, lit);
+  AllBodies bodies;  // of lanes where they are others than at the start
+  Mask own = changesBodies(surface, wo, ray.direction, lit);
+  UintOf<F> inside = inside_;
+  forEachLane(own, [&](int i) {
+    bodies[at(i)] = bodies_[at(i)];
+    volumes_.scatter(lane(surface, i), lane(wo, i), lane(ray.direction, i), bodies[at(i)]);
+    setLane(inside, i, volumes_.mediumIn(bodies[at(i)]));
+  });
+  Spectrum<F> share = select(lit, grey(F(1.0f)), Spectrum<F>{});
+  Mask crossed(false);
+  while (any(lit)) {
+    SurfacePoint<F> met;
+    if (volumes_.passable()) met = scene_.intersect(ray, lit);
+    const F length = select(met.valid, met.distance, ray.tMax) - ray.tMin;
+    share = select(lit, share * volumes_.media().template at<F>(inside).transmittance(length), share);
+    lit = lit & met.valid;
+    const Mask inQuestion = lit & !isBlack(share) & isMoreThanWall(met, lit);
+    share = select(lit & !inQuestion, Spectrum<F>{}, share);
+    lit = inQuestion;
+    forEachLane(inQuestion, [&](int i) {
+      if (!lane(own, i)) bodies[at(i)] = bodies_[at(i)];
+      if (!lane(crossed, i)) crossings_[at(i)].restart();
+      setLane(own, i, true);
+      setLane(crossed, i, true);
+      Ray<float> one = lane(ray, i);
+      if (crossings_[at(i)].pass(volumes_, lane(met, i), one, bodies[at(i)])) {
+        setLane(ray.tMin, i, one.tMin);
+        setLane(inside, i, volumes_.mediumIn(bodies[at(i)]));
+      } else {
+        setLane(share, i, Rgb{});
+        setLane(lit, i, false);
+      }
+    });
+  }
+  return share;
+}
+
+}  // namespace steradian

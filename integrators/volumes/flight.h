@@ -1,0 +1,105 @@
+#pragma once
+/// How rays get from one place to the next: through media, and through surfaces that are none to them.
+///
+/// A ray is traced in segments, from surface to surface: its origin stays, tMin moves on to the surface passed. Whoever
+/// traces says what each segment met. What media do on the way is computed for one path or for several at once; what
+/// becomes of a ray at a surface that may not be real to it is decided path by path.
+#include "steradian/core/math/ray.h"
+#include "steradian/core/sampling/warp.h"
+#include "steradian/integrators/volumes/volumes.h"
+
+namespace steradian {
+
+/// What happens to paths in media, on their way to the surface that they meet or to where they are scattered.
+///
+/// The optical depth at which a path is scattered is drawn once, for one channel, and used up segment by segment. The
+/// channel is chosen as the throughput has it, and weights count all of them (the balance heuristic; Wilkie et al.
+/// 2014, "Hero wavelength spectral sampling"). Media that only absorb are not sampled: what they let through is known.
+template <class F>
+class Flight {
+ public:
+  using Mask = MaskOf<F>;
+
+  Flight() = default;
+  /// `random`: numbers in [0, 1).
+  Flight(const Spectrum<F>& throughput, const Vec2<F>& random);
+
+  /// One segment of the active paths, `ray` through `medium`, whose end is `distance` from the ray's origin (may be
+  /// +inf). Returns those that the medium scatters before: where, ray.at(distance()) says.
+  Mask travel(const Medium<F>& medium, const Ray<F>& ray, F distance, Mask active);
+
+  const Spectrum<F>& weight() const { return weight_; }    ///< of where the last segment ended
+  const Spectrum<F>& emitted() const { return emitted_; }  ///< radiance that the media so far send to the start
+  F distance() const { return distance_; }                 ///< m; from the ray's origin to where the last segment ended
+
+ private:
+  static F sum(const Spectrum<F>& c) { return c.r + c.g + c.b; }
+  static F inverse(F density) { return select(density > F(0.0f), F(1.0f) / density, F(0.0f)); }
+
+  Spectrum<F> choice_;                  ///< probability of each channel
+  Mask isRed_, isGreen_;                ///< the one that it fell on
+  F depthLeft_{kInfinity};              ///< optical depth in that channel
+  Spectrum<F> left_ = grey(F(1.0f));    ///< transmittance of media that scatter, so far
+  Spectrum<F> passed_ = grey(F(1.0f));  ///< of those that only absorb
+  Spectrum<F> weight_ = grey(F(1.0f)), emitted_;
+  F distance_{0.0f};
+};
+
+/// What becomes of one flight at the surfaces that it meets.
+class Crossings {
+ public:
+  /// A new flight begins.
+  void restart() { count_ = 0; }
+  /// The ray, inside of `bodies`, arrives at the valid point `met`. True if it goes on: then `ray` and `bodies` are
+  /// those behind the surface.
+  bool pass(const Volumes& volumes, const SurfacePoint<float>& met, Ray<float>& ray, Bodies& bodies);
+
+  /// Once `pass` has returned false:
+  float outsideEta() const { return outsideEta_; }  ///< see Boundary: of the surface met
+  bool isLost() const { return count_ == kMost; }   ///< given up, having crossed that many
+  /// A ray that crosses this many surfaces without being scattered is given up.
+  static constexpr std::uint32_t kMost = 10000;
+
+ private:
+  std::uint32_t count_ = 0;
+  float outsideEta_ = 1.0f;
+  // At the last surface passed:
+  Bodies before_;
+  Vec3f error_{};
+};
+
+template <class F>
+Flight<F>::Flight(const Spectrum<F>& throughput, const Vec2<F>& random) {
+  const F total = sum(throughput), share = inverse(total);
+  choice_ = select(total > F(0.0f), throughput * share, grey(F(1.0f / 3.0f)));
+  isRed_ = random.y < choice_.r;
+  isGreen_ = random.y < choice_.r + choice_.g;
+  depthLeft_ = ExponentialFlight<F>{F(1.0f)}.sample(random.x);
+}
+
+template <class F>
+MaskOf<F> Flight<F>::travel(const Medium<F>& medium, const Ray<F>& ray, F distance, Mask active) {
+  const F length = distance - ray.tMin;
+  if (any(active & medium.emits())) {
+    const Spectrum<F> seen = passed_ * left_ * medium.emitted(length) * inverse(sum(choice_ * left_));
+    emitted_ = select(active, emitted_ + seen, emitted_);
+  }
+  const Mask scatters = active & medium.scatters();
+  const Spectrum<F>& extinction = medium.extinction;
+  const F rate = select(isRed_, extinction.r, select(isGreen_, extinction.g, extinction.b));
+  const Mask mayScatter = scatters & (rate > F(0.0f));
+  const F way = select(mayScatter, depthLeft_ / rate, F(kInfinity));
+  const Mask scattered = scatters & (way < length);
+  depthLeft_ = select(mayScatter, maximum(depthLeft_ - rate * length, F(0.0f)), depthLeft_);
+  const Spectrum<F> share = medium.transmittance(select(scattered, way, length));
+  left_ = select(scatters, left_ * share, left_);
+  passed_ = select(active & !scatters, passed_ * share, passed_);
+  // Over the density that a flight of any channel has to be scattered here, or to get here.
+  const Spectrum<F> density = select(scattered, extinction * left_, left_);
+  const Spectrum<F> value = select(scattered, medium.scattering * left_, left_);
+  weight_ = select(active, passed_ * value * inverse(sum(choice_ * density)), weight_);
+  distance_ = select(active, select(scattered, ray.tMin + way, distance), distance_);
+  return scattered;
+}
+
+}  // namespace steradian
