@@ -26,7 +26,7 @@ bool areFinite(const Bounds3& b) {
 }
 
 /// Records of so many primitives are kept: 80 bytes each.
-constexpr std::size_t kMostKept = 1u << 16;
+constexpr std::size_t kMaxKeptRecords = 1u << 16;
 
 Matrix inverseOf(const Matrix& matrix, const SourceRange& where) {
   const Matrix result = affineInverse(matrix);
@@ -81,7 +81,7 @@ Geometry::Implementation::Implementation(std::shared_ptr<const SceneDescription>
   recordsKnowUv = steradian::recordsKnowUv(*description, placed);
   if (hasRecords && mostWithoutTree > 0 && FlatPrimitives::holds(*description, placed))
     flat.emplace(*description, placed);
-  else if (hasRecords && statistics.primitives() <= kMostKept)
+  else if (hasRecords && statistics.primitives() <= kMaxKeptRecords)
     keepRecords();
   statistics.bytes = world.bytes() + (device_ ? device_->bytes() : 0) +
                      (transforms.capacity() + inverses.capacity()) * sizeof(Matrix) +

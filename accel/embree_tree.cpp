@@ -89,7 +89,7 @@ ClusterTree buildTree(const Device& device, std::span<const Bounds3> bounds, flo
   if (!bvh) device.check();
   RTCBuildArguments arguments = rtcDefaultBuildArguments();
   arguments.maxBranchingFactor = ClusterTree::kWidth;
-  arguments.maxDepth = ClusterTree::kMostDepth;
+  arguments.maxDepth = ClusterTree::kMaxDepth;
   arguments.maxLeafSize = 1;
   arguments.bvh = bvh.get();
   arguments.primitives = primitives.data();

@@ -21,7 +21,7 @@ constexpr std::array kPathKeys{
     IntegratorKey{"roulette-strength", "0.4", "0: never end them; 1: survival as probable as the path is bright"},
     IntegratorKey{"target-weight", "0.5", "mixture, mis (there 0.25): probability of a target; 1 loses other light"},
     IntegratorKey{"targets", "the scene's", "mixture, mis: names of shapes, or lights; separated by commas"},
-    IntegratorKey{"reuse", "1", "2, 4, 8, 16 or 32 neighbours share paths: less noise, but they err alike"},
+    IntegratorKey{"reuse", "1", "2, 4, 8, 16 or 32 neighbours share paths: less noise, but correlated pixels"},
     IntegratorKey{"width", "0", "paths traced at once: 1, 4, 8 or 16; 0: as many as pay here"},
 };
 constexpr std::array kOcclusionKeys{
@@ -38,14 +38,14 @@ constexpr std::array kRegistry{
 PathSettings readPathSettings(IntegratorSpec& spec) {
   PathSettings settings;
   spec.read("strategy", settings.strategy, kStrategies);
-  spec.read("max-depth", settings.maxDepth, 0u, PathSettings::kDeepest);
-  spec.read("light-samples", settings.lightSamples, 1u, PathSettings::kMostLightSamples);
+  spec.read("max-depth", settings.maxDepth, 0u, PathSettings::kMaxDepth);
+  spec.read("light-samples", settings.lightSamples, 1u, PathSettings::kMaxLightSamples);
   spec.read("scatter-pdf", settings.scatterPdf, kScatterPdfs);
-  spec.read("roulette-start", settings.rouletteStart, 0u, PathSettings::kDeepest);
+  spec.read("roulette-start", settings.rouletteStart, 0u, PathSettings::kMaxDepth);
   spec.read("roulette-strength", settings.rouletteStrength, 0.0f, 1.0f);
   spec.read("target-weight", settings.targetWeight, 0.0f, 1.0f);
   spec.read("targets", settings.targets);
-  spec.read("reuse", settings.reuse, 1u, PathSettings::kMostReuse);
+  spec.read("reuse", settings.reuse, 1u, PathSettings::kMaxReuse);
   spec.read("width", settings.width, 0u, 16u);
   if (settings.strategy != Strategy::Mixture && settings.strategy != Strategy::Mis) {
     for (const std::string_view key : {"target-weight", "targets"}) spec.refuse(key, "needs strategy=mis or mixture");

@@ -11,7 +11,7 @@ Skies::Skies(const SceneDescription& scene, bool sampleSmooth, bool samplePictur
     if (const auto* constant = std::get_if<ConstantSky>(&light.model)) smooth.add(*constant), hasSmooth = true;
     if (const auto* gradient = std::get_if<GradientSky>(&light.model)) smooth.add(*gradient), hasSmooth = true;
     if (const auto* image = std::get_if<ImageSky>(&light.model))
-      parts_.push_back({SkyPicture(*image, samplePictures), samplePictures});
+      parts_.push_back({EnvironmentMap(*image, samplePictures), samplePictures});
   }
   if (hasSmooth) parts_.push_back({smooth, sampleSmooth});
   std::vector<float> weights;

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "steradian/core/sampling/distribution.h"
+#include "steradian/lights/environment_map.h"
 #include "steradian/lights/sky.h"
-#include "steradian/lights/sky_picture.h"
 
 namespace steradian {
 
@@ -38,7 +38,7 @@ class Skies {
 
  private:
   struct Part {
-    std::variant<Sky, SkyPicture> sky;
+    std::variant<Sky, EnvironmentMap> sky;
     bool sampled;
     float share = 0.0f;  ///< the probability of being chosen
   };
@@ -52,16 +52,16 @@ class Skies {
     return skyPdf(normal, wi);
   }
   template <class F>
-  static F pdfOf(const SkyPicture& picture, Vec3<F>, Vec3<F> wi) {
+  static F pdfOf(const EnvironmentMap& picture, Vec3<F>, Vec3<F> wi) {
     return picture.pdf(wi);
   }
   template <class F>
-  static SkyPicture::Sample<F> sampleOf(const Sky& sky, Vec3<F> normal, Vec2<F> u) {
+  static EnvironmentMap::Sample<F> sampleOf(const Sky& sky, Vec3<F> normal, Vec2<F> u) {
     const DirectionSample<F> d = sampleSky(normal, u);
     return {d, sky.radiance(d.wi)};
   }
   template <class F>
-  static SkyPicture::Sample<F> sampleOf(const SkyPicture& picture, Vec3<F>, Vec2<F> u) {
+  static EnvironmentMap::Sample<F> sampleOf(const EnvironmentMap& picture, Vec3<F>, Vec2<F> u) {
     return picture.sample(u);
   }
   /// A direction by the density of one of the parts.

@@ -17,7 +17,7 @@ float wrapped(float t, Wrap wrap) {
 
 /// Two neighbours along one axis, and whether each of them is in the picture.
 struct Span {
-  Picture::Neighbours<float> at;
+  ColourImage::Neighbours<float> at;
   bool firstInside, secondInside;
 };
 
@@ -39,7 +39,7 @@ Rgb clamped(Rgb c) { return {clamp(c.r, 0.0f, 1.0f), clamp(c.g, 0.0f, 1.0f), cla
 
 }  // namespace
 
-PictureLookup::PictureLookup(const ImageTexture& texture)
+ImageTextureLookup::ImageTextureLookup(const ImageTexture& texture)
     : picture_(texture.image),
       wrapU_(texture.wrapU),
       wrapV_(texture.wrapV),
@@ -47,7 +47,7 @@ PictureLookup::PictureLookup(const ImageTexture& texture)
       repeatU_(texture.repeatU),
       repeatV_(texture.repeatV) {}
 
-Rgb PictureLookup::value(Vec2f uv) const {
+Rgb ImageTextureLookup::value(Vec2f uv) const {
   const Span x = spanOf(uv.x * repeatU_, wrapU_, filter_, picture_.width());
   const Span y = spanOf(uv.y * repeatV_, wrapV_, filter_, picture_.height());
   const std::uint32_t bottom = picture_.height() - 1;

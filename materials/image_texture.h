@@ -1,22 +1,22 @@
 #pragma once
-/// A picture over (u, v), ready for lookup.
-#include "steradian/core/colour/picture.h"
+/// Image textures: colours over (u, v), looked up.
+#include "steradian/core/colour/colour_image.h"
 #include "steradian/core/scene/description.h"
 
 namespace steradian {
 
 /// The centre of the pixel in column i is at u = (i + 1/2) / width; where v is 0 the picture has its lower edge.
 /// Nothing is filtered over the footprint of a ray: the samples of a pixel do that.
-class PictureLookup {
+class ImageTextureLookup {
  public:
   /// The texture must be valid (see validate()).
-  explicit PictureLookup(const ImageTexture& texture);
+  explicit ImageTextureLookup(const ImageTexture& texture);
 
   /// The colour at (u, v), which may be any numbers; each channel is clamped to [0, 1] (see ImageTexture).
   Rgb value(Vec2f uv) const;
 
  private:
-  Picture picture_;
+  ColourImage picture_;
   ImageTexture::Wrap wrapU_, wrapV_;
   ImageTexture::Filter filter_;
   float repeatU_, repeatV_;

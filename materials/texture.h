@@ -46,7 +46,7 @@ class TextureSet {
   Node compile(const TextureDescription& texture);
 
   std::vector<Node> nodes_;
-  std::vector<PictureLookup> images_;
+  std::vector<ImageTextureLookup> images_;
   std::vector<NoisePattern> noises_;
 };
 

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::uint32_t kSamplesPerPixel = 16;
 /// Rays of more samples than these are not kept: they take about 300 bytes a sample.
-constexpr std::uint64_t kMostRecordedSamples = 1'500'000;
+constexpr std::uint64_t kMaxRecordedSamples = 1'500'000;
 
 /// Rates are per second of all threads together.
 struct Row {
@@ -62,7 +62,7 @@ RenderSettings settingsFor(const BenchOptions& options) {
 std::vector<RecordedRay> recordFor(const Scene& scene, RenderSettings settings) {
   const std::uint64_t pixels =
       static_cast<std::uint64_t>(*settings.width) * static_cast<std::uint64_t>(*settings.height);
-  const std::uint64_t room = std::max<std::uint64_t>(kMostRecordedSamples / pixels, 1);
+  const std::uint64_t room = std::max<std::uint64_t>(kMaxRecordedSamples / pixels, 1);
   settings.samplesPerPixel = static_cast<std::uint32_t>(std::min<std::uint64_t>(*settings.samplesPerPixel, room));
   return recordRays(scene, {}, settings);
 }

@@ -49,7 +49,7 @@ struct Picture {
     if (separateErrors) return &*separateErrors;
     return image.findChannel("StdErr.Y") ? &image : nullptr;
   }
-  /// How many of its pixels err alike at most; a render says so.
+  /// The largest number of pixels with correlated errors; a render says so.
   double correlatedPixels() const {
     const auto* text = findMetadata<std::string>(image.metadata(), "steradian.correlatedPixels");
     return text != nullptr ? std::max(std::atoi(text->c_str()), 1) : 1.0;

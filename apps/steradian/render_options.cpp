@@ -10,7 +10,7 @@
 
 #include "steradian/apps/scenes/scenes.h"
 #include "steradian/apps/steradian/arguments.h"
-#include "steradian/core/colour/picture.h"
+#include "steradian/core/colour/colour_image.h"
 #include "steradian/integrators/make_integrator.h"
 
 namespace steradian::app {
@@ -187,7 +187,7 @@ bool hasImageTexture(const SceneDescription& scene) {
 
 /// Puts a picture in the place of every image texture's.
 void replaceTextures(SceneDescription& scene, const std::string& file) {
-  const std::shared_ptr<const Image> picture = readPicture(file);
+  const std::shared_ptr<const Image> picture = readColourImage(file);
   for (TextureDescription& texture : scene.textures) {
     auto* image = std::get_if<ImageTexture>(&texture);
     if (image == nullptr) continue;
@@ -210,7 +210,7 @@ ImageSky skyFrom(const std::string& text) {
       sky.rotation = degrees;
     }
   }
-  sky.image = readPicture(sky.name);
+  sky.image = readColourImage(sky.name);
   return sky;
 }
 
@@ -256,7 +256,8 @@ void declareRenderOptions(CLI::App& command, RenderTexts& texts) {
          "what scattered rays aim at (mis, mixture): names of shapes,\nor lights; separated by commas (default: the "
          "scene's)");
   option("--reuse", texts.reuse, "N",
-         "2, 4, 8, 16 or 32 neighbouring pixels share paths: in diffuse\nscenes far less noise, but they err alike "
+         "2, 4, 8, 16 or 32 neighbouring pixels share paths: in diffuse\nscenes far less noise, but their errors are "
+         "correlated "
          "(default 1: none)");
   option("--width", texts.pathWidth, "N", "paths traced at once: 1, 4, 8 or 16; 0 (default): as many as pay here");
   option(

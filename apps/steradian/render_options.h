@@ -57,7 +57,7 @@ void declareRenderOptions(CLI::App& command, RenderTexts& texts);
 
 /// Checks everything that can be checked before the scene is built, and reads the pictures that replace those of the
 /// scene. Throws Error: Usage with all problems at once, those that `arguments` has already among them; Scene or Memory
-/// for pictures (see readPicture).
+/// for pictures (see readColourImage).
 RenderOptions checkRenderOptions(const RenderTexts& texts, Arguments& arguments);
 
 }  // namespace steradian::app

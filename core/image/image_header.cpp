@@ -6,7 +6,7 @@
 namespace steradian {
 namespace {
 
-constexpr std::uint64_t mostValues = std::uint64_t{1} << 53;
+constexpr std::uint64_t maxValues = std::uint64_t{1} << 53;
 constexpr std::uint32_t multiPartFlag = 0x1000;
 
 /// Takes things off the front of the file; after a failure everything it returns is zero or empty.
@@ -117,8 +117,8 @@ std::optional<ExrExtent> readExrExtent(std::span<const std::byte> file) {
     // Whole tiles are allocated even for a small image.
     const std::uint64_t width = std::max(part->width, part->tileWidth);
     const std::uint64_t height = std::max(part->height, part->tileHeight);
-    const bool tooMany = width > mostValues / height / part->channels;
-    extent.values = std::min(mostValues, extent.values + (tooMany ? mostValues : width * height * part->channels));
+    const bool tooMany = width > maxValues / height / part->channels;
+    extent.values = std::min(maxValues, extent.values + (tooMany ? maxValues : width * height * part->channels));
   } while (multiPart);
   return extent;
 }

@@ -61,7 +61,7 @@ double luminanceOf(const std::array<double, 3>& rgb) {
 /// What the luminance of each pixel adds to the variance of sums over pixels; 0 for a null image.
 class LuminanceErrors {
  public:
-  /// Of g pixels that err alike the sum has g times the variance, and they know it as well as one of them does.
+  /// Of g correlated pixels the sum has g times the variance, and they know it as well as one of them does.
   LuminanceErrors(const Image* image, double degreesOfFreedom, double correlatedPixels)
       : image_(image), correlatedPixels_(correlatedPixels), dof_(degreesOfFreedom / correlatedPixels) {
     if (!image_) return;

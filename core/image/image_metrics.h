@@ -41,7 +41,7 @@ struct ZTestSettings {
   /// Degrees of freedom of the standard errors of one pixel: 7 for the spread of eight parts. May be infinite.
   double degreesOfFreedomA = 7.0;
   double degreesOfFreedomB = 7.0;
-  /// Most pixels of a picture that err alike, in blocks that share paths. Variances of means are those of independent
+  /// The largest number of correlated pixels, in blocks that share paths. Variances of means are those of independent
   /// pixels times this: the largest that such errors allow.
   double correlatedPixelsA = 1.0;
   double correlatedPixelsB = 1.0;

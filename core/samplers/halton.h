@@ -27,8 +27,8 @@ inline constexpr std::array<std::array<std::uint32_t, 2>, kPurposeCount> kHalton
     {17, 47},  // LightSelect
     {11, 13},  // LightPosition
     {37, 61},  // Roulette
-    {41, 67},  // Mixture
-    {43, 71},  // Phase
+    {41, 67},  // TargetSelect
+    {43, 71},  // FreeFlight
 }};
 
 /// Which sequence a coordinate belongs to: two random words per pixel, dimension and replicate.

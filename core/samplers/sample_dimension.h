@@ -14,8 +14,8 @@ enum class Purpose : std::uint32_t {
   LightSelect,    ///< 1D
   LightPosition,  ///< 2D
   Roulette,       ///< 1D
-  Mixture,        ///< 1D: which of several targets
-  Phase,          ///< 2D: scattering in a medium
+  TargetSelect,   ///< 1D: which of several sampling targets
+  FreeFlight,     ///< 2D: the distance to scattering in media, and the channel it is sampled for
   Count
 };
 inline constexpr std::uint32_t kPurposeCount = static_cast<std::uint32_t>(Purpose::Count);

@@ -39,10 +39,10 @@ GaussKronrod gaussKronrod(const Function& f, double low, double high) {
 
 template <class Function>
 double integrateParts(const Function& f, double low, double high, double tolerance, int splits) {
-  constexpr int fewestSplits = 2, mostSplits = 50;
+  constexpr int minSplits = 2, maxSplits = 50;
   const GaussKronrod whole = gaussKronrod(f, low, high);
   // "Not above": a NaN ends the refinement and is returned as what it is.
-  if (splits >= mostSplits || (splits >= fewestSplits && !(whole.difference > tolerance))) return whole.integral;
+  if (splits >= maxSplits || (splits >= minSplits && !(whole.difference > tolerance))) return whole.integral;
   const double middle = 0.5 * (low + high);
   return integrateParts(f, low, middle, tolerance, splits + 1) + integrateParts(f, middle, high, tolerance, splits + 1);
 }

@@ -15,10 +15,10 @@ double logGamma(double x) {
 double betaFraction(double a, double b, double x) {
   constexpr double tiny = 1e-300;
   constexpr double precision = 1e-15;
-  constexpr int mostTerms = 20000;
+  constexpr int maxTerms = 20000;
   const auto away = [](double v) { return std::abs(v) < tiny ? tiny : v; };
   double c = 1.0, d = 0.0, value = 1.0;
-  for (int k = 1; k < mostTerms; ++k) {
+  for (int k = 1; k < maxTerms; ++k) {
     const double m = k / 2;
     const double term = k % 2 == 0 ? m * (b - m) * x / ((a + 2.0 * m - 1.0) * (a + 2.0 * m))
                                    : -(a + m) * (a + b + m) * x / ((a + 2.0 * m) * (a + 2.0 * m + 1.0));

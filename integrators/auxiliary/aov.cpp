@@ -22,15 +22,15 @@ Rgb DepthIntegrator::radiance(const Scene& scene, const Ray<float>& ray, const S
 
 Rgb AmbientOcclusionIntegrator::radiance(const Scene& scene, const Ray<float>& ray,
                                          const Sampler<float>& sampler) const {
-  Scene::FirstSurface first = scene.firstSurface(ray, scene.bodiesAtStart(ray));
+  Scene::FirstSurface first = scene.firstSurface(ray, scene.interiorAtStart(ray));
   const SurfacePoint<float>& surface = first.point;
   if (!surface.valid) return {};
   const CosinePdf<float> cosine(faceForward(surface.shadingNormal, -ray.direction));
   const Vec3f wi = cosine.sample(sampler.get2D(0, Purpose::BsdfDirection)).wi;
   const Ray<float> probe = spawnRay(scatterPoint(surface, ray.time), wi, distance_);
   if (!scene.volumes().passable()) return grey(scene.geometry().occluded(probe) ? 0.0f : 1.0f);
-  scene.volumes().scatter(surface, -ray.direction, wi, first.bodies);
-  return grey(scene.firstSurface(probe, first.bodies).point.valid ? 0.0f : 1.0f);
+  scene.volumes().scatter(surface, -ray.direction, wi, first.interior);
+  return grey(scene.firstSurface(probe, first.interior).point.valid ? 0.0f : 1.0f);
 }
 
 }  // namespace steradian

@@ -15,10 +15,10 @@ PathPlan planFor(const Scene& scene, const PathSettings& settings) {
   return {
       .strategy = settings.strategy,
       .scatterPdf = settings.scatterPdf,
-      // Dimensions are counted up to kDeepest bounces; a scene may ask for more, meaning "no limit".
+      // Dimensions are counted up to kMaxDepth bounces; a scene may ask for more, meaning "no limit".
       .maxDepth =
           std::min(settings.maxDepth.value_or(static_cast<std::uint32_t>(scene.description().defaults.maxDepth)),
-                   PathSettings::kDeepest),
+                   PathSettings::kMaxDepth),
       .lightSamples = settings.lightSamples,
       .rouletteStart = settings.rouletteStart,
       .rouletteStrength = settings.rouletteStrength,
@@ -47,16 +47,16 @@ PathIntegrator::PathIntegrator(const PathSettings& settings) : settings_(setting
       wrong.error({}, fmt::format("{} must be from {} to {}, not {}", name, low, high, value));
     }
   };
-  count("the number of light samples", settings.lightSamples, 1, PathSettings::kMostLightSamples);
-  count("the start of roulette", settings.rouletteStart, 0, PathSettings::kDeepest);
-  count("the largest depth", settings.maxDepth.value_or(0), 0, PathSettings::kDeepest);
+  count("the number of light samples", settings.lightSamples, 1, PathSettings::kMaxLightSamples);
+  count("the start of roulette", settings.rouletteStart, 0, PathSettings::kMaxDepth);
+  count("the largest depth", settings.maxDepth.value_or(0), 0, PathSettings::kMaxDepth);
   share("the strength of roulette", settings.rouletteStrength);
   share("the weight of targets", settings.targetWeight.value_or(0.0f));
   constexpr std::array<std::uint32_t, 5> widths{0, 1, 4, 8, 16};
   if (std::find(widths.begin(), widths.end(), settings.width) == widths.end()) {
     wrong.error({}, fmt::format("the width must be 1, 4, 8 or 16, or 0 for the widest, not {}", settings.width));
   }
-  if (settings.reuse < 1 || settings.reuse > PathSettings::kMostReuse || !std::has_single_bit(settings.reuse)) {
+  if (settings.reuse < 1 || settings.reuse > PathSettings::kMaxReuse || !std::has_single_bit(settings.reuse)) {
     wrong.error({}, fmt::format("reuse must be 1, 2, 4, 8, 16 or 32, not {}", settings.reuse));
   }
   if (settings.reuse > 1 && (settings.width == 1 || settings.scatterPdf != ScatterPdf::Bsdf)) {

@@ -7,7 +7,7 @@
 
 #include "steradian/integrators/path/path_loop.h"
 #include "steradian/integrators/path/path_state.h"
-#include "steradian/integrators/path/wide_flight.h"
+#include "steradian/integrators/path/wide_free_flight.h"
 #include "steradian/integrators/path/wide_scene.h"
 
 namespace steradian {
@@ -74,7 +74,7 @@ class PathLanes {
 
   bool hasVolumes() const { return hasVolumes_; }
   /// Where there are volumes, what the lanes' rays are inside of.
-  WideFlight<F>& flight() { return flight_; }
+  WideFreeFlight<F>& flight() { return flight_; }
 
  private:
   /// A model on a surface.
@@ -104,7 +104,7 @@ class PathLanes {
   /// The surfaces that the paths come to. (With a conditional operator the points would be copied.)
   SurfacePoint<F> fly(PathState<F>& path, const Sampler<F>& sampler, Uint bounce, Mask active, Spectrum<F>& radiance) {
     if (!hasVolumes_) return scene_.intersect(path.ray, active);
-    return flight_.fly(path.ray, active, sampler.get2D(bounce, Purpose::Phase), path.throughput, radiance);
+    return flight_.fly(path.ray, active, sampler.get2D(bounce, Purpose::FreeFlight), path.throughput, radiance);
   }
   void addEmission(const PathState<F>& path, const SurfacePoint<F>& surface, Mask arrived, Spectrum<F>& radiance);
   [[gnu::noinline]] void addMedia(Vertex& vertex);
@@ -125,7 +125,7 @@ class PathLanes {
   const WideScene& scene_;
   const PathPlan& plan_;
   PathCounts& counts_;
-  WideFlight<F> flight_;
+  WideFreeFlight<F> flight_;
   bool hasVolumes_;
   bool byLane_;
   static constexpr std::uint32_t kDielectric = indexOfModel<Dielectric<float>>();
@@ -322,7 +322,7 @@ BsdfSample<F> PathLanes<F>::scatterMixture(const Vertex& vertex, const BsdfRando
   const BsdfSample<F> scattered = sample(vertex, {random.lobe, choice.direction}, going & !aimed);
   DirectionSample<F> target;
   if (any(aimed)) {
-    const F select = plan_.targets->size() > 1 ? sampler.get1D(bounce, Purpose::Mixture) : F(0.0f);
+    const F select = plan_.targets->size() > 1 ? sampler.get1D(bounce, Purpose::TargetSelect) : F(0.0f);
     const LightRandom<F> targetRandom{select, choice.direction};
     target = plan_.targets->sampleDirection(vertex.point, targetRandom, aimed);
   }
@@ -347,10 +347,10 @@ void PathLanes<F>::forEachVertex(const Vertex& vertex, const Sampler<F>& sampler
     const std::uint32_t k = lane(bounce, i);
     if (lane(vertex.inMedium, i)) {
       const Phase<float> phase{lane(vertex.anisotropy, i)};
-      visit(vertexOf(lane(vertex.point.position, i), phase, wo, time, flight_.bodies(i)), own, k, i);
+      visit(vertexOf(lane(vertex.point.position, i), phase, wo, time, flight_.interior(i)), own, k, i);
     } else {
       const Bsdf bsdf = scene_.scene().materials().bsdf(surface, wo, lane(flight_.outsideEta(), i));
-      visit(vertexOf(plan_, surface, bsdf, wo, time, flight_.bodies(i)), own, k, i);
+      visit(vertexOf(plan_, surface, bsdf, wo, time, flight_.interior(i)), own, k, i);
     }
   });
 }

@@ -43,7 +43,7 @@ struct PathVertex {
   float diracProbability;  ///< of sampling one of the BSDF's Dirac lobes
   bool lightSampled;       ///< lights that could also be hit are sampled for it
   /// Where there are volumes: the bodies that the path came through, and the surface, or null in a medium.
-  const Bodies* bodies;
+  const InteriorStack* interior;
   const SurfacePoint<float>* surface;
 };
 
@@ -113,7 +113,7 @@ BsdfSample<float> scatterMixture(const PathPlan& plan, Queries& queries, const V
   Vec3f wi;
   const MixtureChoice<float> choice(plan.targetWeight, random.direction);
   if (choice.aimed) {
-    const float select = plan.targets->size() > 1 ? sampler.get1D(bounce, Purpose::Mixture) : 0.0f;
+    const float select = plan.targets->size() > 1 ? sampler.get1D(bounce, Purpose::TargetSelect) : 0.0f;
     const DirectionSample<float> target = queries.sampleTarget(*plan.targets, vertex.point, {select, choice.direction});
     if (!(target.pdf > 0.0f)) return {};
     wi = target.wi;
@@ -142,11 +142,11 @@ Rgb visibility(Queries& queries, const Vertex& vertex, Ray<float> ray) {
   const Volumes& volumes = queries.volumes();
   if (!volumes.passable() && queries.occluded(ray)) return {};
   if (volumes.empty()) return grey(1.0f);
-  Bodies bodies = *vertex.bodies;
-  if (vertex.surface != nullptr) volumes.scatter(*vertex.surface, vertex.wo, ray.direction, bodies);
+  InteriorStack interior = *vertex.interior;
+  if (vertex.surface != nullptr) volumes.scatter(*vertex.surface, vertex.wo, ray.direction, interior);
   Rgb share = grey(1.0f);
   const auto reach = [&](float distance) {
-    share *= volumes.media().at<float>(volumes.mediumIn(bodies)).transmittance(distance - ray.tMin);
+    share *= volumes.media().at<float>(volumes.mediumIn(interior)).transmittance(distance - ray.tMin);
   };
   if (!volumes.passable()) {
     reach(ray.tMax);
@@ -159,7 +159,7 @@ Rgb visibility(Queries& queries, const Vertex& vertex, Ray<float> ray) {
     met = queries.surfacePoint(ray, queries.intersect(ray));
     reach(met.valid ? met.distance : ray.tMax);
     if (!met.valid) return share;
-  } while (!isBlack(share) && crossings.pass(volumes, met, ray, bodies));
+  } while (!isBlack(share) && crossings.pass(volumes, met, ray, interior));
   return {};
 }
 
@@ -190,7 +190,7 @@ Rgb directLight(const PathPlan& plan, Queries& queries, const Vertex& vertex, co
 
 /// The vertex at a point of a surface; `bsdf` must outlive it.
 inline PathVertex<Bsdf> vertexOf(const PathPlan& plan, const SurfacePoint<float>& surface, const Bsdf& bsdf, Vec3f wo,
-                                 float time, const Bodies& bodies) {
+                                 float time, const InteriorStack& interior) {
   const bool lightSampled = plan.strategy != Strategy::Light || bsdf.samplesLights(wo);
   return {scatterPoint(surface, time),
           faceForward(bsdf.shadingNormal(), wo),
@@ -199,14 +199,14 @@ inline PathVertex<Bsdf> vertexOf(const PathPlan& plan, const SurfacePoint<float>
           plan.scatterPdf,
           bsdf.diracProbability(wo),
           lightSampled,
-          &bodies,
+          &interior,
           &surface};
 }
 
 /// The vertex where a medium scatters; what must outlive it, likewise.
 inline PathVertex<Phase<float>> vertexOf(Vec3f position, const Phase<float>& phase, Vec3f wo, float time,
-                                         const Bodies& bodies) {
-  return {{position, {}, {}, time}, wo, wo, phase, ScatterPdf::Bsdf, 0.0f, true, &bodies, nullptr};
+                                         const InteriorStack& interior) {
+  return {{position, {}, {}, time}, wo, wo, phase, ScatterPdf::Bsdf, 0.0f, true, &interior, nullptr};
 }
 
 /// What the path met first, where that is a medium.
@@ -246,19 +246,19 @@ struct Arrival {
   bool isLost = false;  ///< given up (see Crossings)
 };
 
-/// The flight along `ray` to where it arrives, inside of `bodies` in the end.
+/// The flight along `ray` to where it arrives, inside of `interior` in the end.
 template <class Queries>
-Arrival fly(Queries& queries, Flight<float>& flight, Ray<float> ray, Bodies& bodies) {
+Arrival fly(Queries& queries, FreeFlight<float>& flight, Ray<float> ray, InteriorStack& interior) {
   const Volumes& volumes = queries.volumes();
   Arrival arrival;
   Crossings crossings;
   do {
     arrival.surface = queries.surfacePoint(ray, queries.intersect(ray));
-    arrival.medium = volumes.media().at<float>(volumes.mediumIn(bodies));
+    arrival.medium = volumes.media().at<float>(volumes.mediumIn(interior));
     const float distance = arrival.surface.valid ? arrival.surface.distance : kInfinity;
-    arrival.inMedium = flight.travel(arrival.medium, ray, distance, true);
+    arrival.inMedium = flight.sampleSegment(arrival.medium, ray, distance, true);
     if (!arrival.surface.valid || arrival.inMedium) break;
-  } while (crossings.pass(volumes, arrival.surface, ray, bodies));
+  } while (crossings.pass(volumes, arrival.surface, ray, interior));
   arrival.surface.valid = arrival.surface.valid && !arrival.inMedium;
   arrival.distance = flight.distance();
   arrival.outsideEta = crossings.outsideEta();
@@ -273,8 +273,8 @@ PixelSample tracePath(const PathPlan& plan, Queries& queries, Ray<float> ray, co
   PixelSample result = kMiss;
   Rgb throughput = grey(1.0f);
   ScatterPoint<float> from{ray.origin, {}, {}, ray.time};
-  Bodies bodies;  // that the ray is inside of
-  if (hasVolumes) bodies = queries.bodiesAtStart(ray);
+  InteriorStack interior;  // that the ray is inside of
+  if (hasVolumes) interior = queries.interiorAtStart(ray);
   float fromDensity = kDirac;  // competingDensity of ray.direction
   float refraction = 1.0f;
   const float lightSamples = static_cast<float>(plan.lightSamples);
@@ -282,8 +282,8 @@ PixelSample tracePath(const PathPlan& plan, Queries& queries, Ray<float> ray, co
   for (;; ++bounce) {
     Arrival arrival;
     if (hasVolumes) {
-      Flight<float> flight(throughput, sampler.get2D(bounce, Purpose::Phase));
-      arrival = fly(queries, flight, ray, bodies);
+      FreeFlight<float> flight(throughput, sampler.get2D(bounce, Purpose::FreeFlight));
+      arrival = fly(queries, flight, ray, interior);
       result.radiance += throughput * flight.emitted();
       throughput = arrival.isLost ? Rgb{} : throughput * flight.weight();
     } else {
@@ -304,7 +304,7 @@ PixelSample tracePath(const PathPlan& plan, Queries& queries, Ray<float> ray, co
       result.radiance += throughput * directLight(plan, queries, vertex, sampler, bounce);
       const BsdfSample<float> next = scatteredRay(plan, queries, vertex, sampler, bounce);
       if (!(next.pdf > 0.0f)) return next;
-      if (vertex.surface != nullptr) queries.volumes().scatter(surface, vertex.wo, next.wi, bodies);
+      if (vertex.surface != nullptr) queries.volumes().scatter(surface, vertex.wo, next.wi, interior);
       ray = spawnRay(vertex.point, next.wi, kInfinity);
       from = vertex.point;
       fromDensity = competingDensity(plan.strategy, vertex.lightSampled, next.pdf);
@@ -317,12 +317,12 @@ PixelSample tracePath(const PathPlan& plan, Queries& queries, Ray<float> ray, co
       if (bounce == 0) setFirstHit(result, arrival.medium, arrival.distance);
       if (last) break;
       const Phase<float> phase{arrival.medium.anisotropy};
-      next = shade(vertexOf(ray.at(arrival.distance), phase, wo, ray.time, bodies));
+      next = shade(vertexOf(ray.at(arrival.distance), phase, wo, ray.time, interior));
     } else {
       const Bsdf bsdf = queries.bsdf(surface, wo, arrival.outsideEta);
       if (bounce == 0) setFirstHit(result, surface, bsdf, wo);
       if (last) break;
-      next = shade(vertexOf(plan, surface, bsdf, wo, ray.time, bodies));
+      next = shade(vertexOf(plan, surface, bsdf, wo, ray.time, interior));
     }
     if (!(next.pdf > 0.0f)) break;
     throughput *= next.weight;

@@ -27,19 +27,19 @@ enum class ScatterPdf {
 };
 
 struct PathSettings {
-  static constexpr std::uint32_t kDeepest = 100000, kMostLightSamples = 1024, kMostReuse = 32;
+  static constexpr std::uint32_t kMaxDepth = 100000, kMaxLightSamples = 1024, kMaxReuse = 32;
 
   Strategy strategy = Strategy::Mis;
   ScatterPdf scatterPdf = ScatterPdf::Bsdf;
-  /// Shadow rays per vertex, 1..kMostLightSamples.
+  /// Shadow rays per vertex, 1..kMaxLightSamples.
   std::uint32_t lightSamples = 1;
-  /// Roulette begins with the ray that leaves the vertex after so many bounces, up to kDeepest. (This and the strength
+  /// Roulette begins with the ray that leaves the vertex after so many bounces, up to kMaxDepth. (This and the strength
   /// by measurement: BENCHMARKS.md, "Roulette".)
   std::uint32_t rouletteStart = 4;
   /// s in [0, 1]. A path goes on with probability 1 - s (1 - min(1, t)), t being the largest channel of its throughput
   /// without the scaling that refraction brings. 0: no roulette; 1: as probable as it is bright.
   float rouletteStrength = 0.4f;
-  /// Bounces up to kDeepest, 0 for emission only; nothing: as the scene says.
+  /// Bounces up to kMaxDepth, 0 for emission only; nothing: as the scene says.
   std::optional<std::uint32_t> maxDepth = std::nullopt;
   /// Mixture, Mis: the probability of choosing a target, in [0, 1]; nothing: 0.5, and 0.25 for Mis, which samples the
   /// lights besides. With 1, light from elsewhere is lost.
@@ -47,7 +47,7 @@ struct PathSettings {
   /// Mixture, Mis: names of shapes and `lights`; none: those that the scene flags; for Mixture or else its
   /// lights, for Mis those that do not emit.
   std::vector<std::string> targets = {};
-  /// That many neighbouring pixels, 1 or a power of two up to kMostReuse, share what their paths find after the second
+  /// That many neighbouring pixels, 1 or a power of two up to kMaxReuse, share what their paths find after the second
   /// vertex (shared_paths.h). Where most light comes from Lambertian surfaces by way of others, pixels have several
   /// times less noise in the same time; but those that share err together, as a block. Not for scenes with media or
   /// motion, nor for width 1 or another scatterPdf. Roulette begins with the second vertex at the earliest. Squares of

@@ -2,7 +2,8 @@
 /// What the path loop asks of a scene.
 #include "steradian/integrators/render/render_statistics.h"
 #include "steradian/integrators/scene/scene.h"
-#include "steradian/integrators/volumes/flight.h"
+#include "steradian/integrators/volumes/crossings.h"
+#include "steradian/integrators/volumes/free_flight.h"
 #include "steradian/lights/target_set.h"
 
 namespace steradian {
@@ -21,7 +22,7 @@ class SceneQueries {
   }
   void countShadowRay() { ++counts_.shadowRays; }
   const Volumes& volumes() const { return scene_.volumes(); }
-  Bodies bodiesAtStart(const Ray<float>& cameraRay) const { return scene_.bodiesAtStart(cameraRay); }
+  InteriorStack interiorAtStart(const Ray<float>& cameraRay) const { return scene_.interiorAtStart(cameraRay); }
   SurfacePoint<float> surfacePoint(const Ray<float>& ray, const Hit<float>& hit) const {
     return scene_.geometry().surfacePoint(ray, hit);
   }

@@ -14,7 +14,7 @@
 /// that x2 emits belongs to each path alone, as in path_loop.h, and so does what comes by Dirac lobes and from surfaces
 /// of other models.
 ///
-/// The means of a group's pixels are no better than without: what they gain is that they err alike.
+/// The means of a group's pixels are no better than without: the gain is that their errors are correlated.
 #include <bit>
 #include <span>
 #include <vector>

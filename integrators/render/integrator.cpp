@@ -44,7 +44,7 @@ PixelSample RadianceIntegrator::evaluate(const Scene& scene, const Ray<float>& r
 
 PixelSample traceFirstHit(const Scene& scene, const Ray<float>& ray) {
   PixelSample sample = kMiss;
-  const Scene::FirstSurface first = scene.firstSurface(ray, scene.bodiesAtStart(ray));
+  const Scene::FirstSurface first = scene.firstSurface(ray, scene.interiorAtStart(ray));
   if (!first.point.valid) return sample;
   const Vec3f wo = -ray.direction;
   setFirstHit(sample, first.point, scene.materials().bsdf(first.point, wo, first.outsideEta), wo);

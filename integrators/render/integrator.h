@@ -21,7 +21,8 @@ class Integrator {
   /// if the integrator cannot render the scene as it is set.
   virtual std::unique_ptr<const Integrator> prepare(const Scene&) const { return nullptr; }
 
-  /// Most pixels that err alike, as a block does whose pixels share paths; 1: the errors of pixels are independent.
+  /// The largest number of pixels with correlated errors, such as a block whose pixels share paths; 1: the errors of
+  /// pixels are independent.
   virtual std::uint32_t correlatedPixels() const { return 1; }
 
   /// Adds the samples pass.first, ..., pass.end - 1 of each pixel of the film's crop to the film, with TBB in the

@@ -34,20 +34,20 @@ class Scene {
   const Volumes& volumes() const { return volumes_; }
   /// The closed shapes that a camera ray starts in. (Those that the camera is in; a lens is taken to be in them with
   /// its whole area.)
-  Bodies bodiesAtStart(const Ray<float>& cameraRay) const {
-    return cameraMoves_ ? bodiesAt(cameraRay.origin, cameraRay.time) : cameraBodies_;
+  InteriorStack interiorAtStart(const Ray<float>& cameraRay) const {
+    return cameraMoves_ ? interiorAt(cameraRay.origin, cameraRay.time) : cameraInterior_;
   }
   /// The closed shapes that a point is inside of, by what a ray from there to infinity leaves without having entered
   /// it; those that it leaves first were entered last.
-  Bodies bodiesAt(Vec3f position, float time) const;
+  InteriorStack interiorAt(Vec3f position, float time) const;
 
   struct FirstSurface {
     SurfacePoint<float> point;  ///< its distance is that from the origin of the ray asked for
     float outsideEta = 1.0f;    ///< see Boundary
-    Bodies bodies;              ///< that the ray is inside of where it arrives
+    InteriorStack interior;     ///< that the ray is inside of where it arrives
   };
-  /// The first surface that is one to a ray that starts inside of `bodies`; media are left aside.
-  FirstSurface firstSurface(Ray<float> ray, const Bodies& bodies) const;
+  /// The first surface that is one to a ray that starts inside of `interior`; media are left aside.
+  FirstSurface firstSurface(Ray<float> ray, const InteriorStack& interior) const;
   /// See scene_hash.h.
   std::uint64_t hash() const { return hash_; }
 
@@ -59,7 +59,7 @@ class Scene {
   LightSet lights_;
   Volumes volumes_;
   bool cameraMoves_ = false;  ///< camera rays may start in different bodies
-  Bodies cameraBodies_;
+  InteriorStack cameraInterior_;
 };
 
 /// The point of a surface, as somewhere to gather light at.

@@ -35,7 +35,7 @@ class TreeCheck {
  private:
   void check(std::uint32_t number, const Bounds3& around, std::uint32_t depth) {
     ASSERT_LT(number, tree_.nodes.size());
-    ASSERT_LE(depth, ClusterTree::kMostDepth);
+    ASSERT_LE(depth, ClusterTree::kMaxDepth);
     const ClusterTree::Node& node = tree_.nodes[number];
     for (std::uint32_t i = 0; i < ClusterTree::kWidth; ++i) {
       const Bounds3 bounds = boundsOfChild(node, i);

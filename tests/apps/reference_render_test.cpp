@@ -157,7 +157,7 @@ TEST(Reference, CornellGlassGrayByTheBooksMixture) {
   expectAgreement(renderScene(greyed("cornell-glass-sphere"), "path:strategy=mixture", 1024), "cornell_glass_gray");
 }
 
-/// 4 x 4 pixels err alike.
+/// Blocks of 4 x 4 correlated pixels.
 const ZTestSettings kShared{.correlatedPixelsA = 16.0};
 
 TEST(Reference, SharedPaths) {

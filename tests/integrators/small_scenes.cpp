@@ -83,7 +83,7 @@ SceneDescription room() {
   return scene;
 }
 
-SceneDescription underASkyPicture() {
+SceneDescription underAnEnvironmentMap() {
   SceneDescription scene;
   addQuad(scene, {-50, 0, -50}, {0, 0, 100}, {100, 0, 0}, addLambert(scene, grey(0.8f)));
   addBox(scene, {-0.8f, 0.5f, 0.0f}, {0.4f, 0.5f, 0.4f}, 25.0f, addLambert(scene, {0.7f, 0.4f, 0.1f}));

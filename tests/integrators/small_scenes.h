@@ -27,7 +27,7 @@ SceneDescription floorPoint();
 SceneDescription room();
 
 /// A few shapes on a white floor under a picture of a sky, 16 x 8, with a bright pixel in it.
-SceneDescription underASkyPicture();
+SceneDescription underAnEnvironmentMap();
 
 /// The size and number of samples of a picture, other settings at their defaults.
 RenderSettings settingsOf(int width, int height, std::uint32_t samplesPerPixel, std::uint32_t seed = 0);

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "steradian/tests/lights/environment_maps.h"
 #include "steradian/tests/lights/light_scenes.h"
-#include "steradian/tests/lights/sky_pictures.h"
 #include "steradian/tests/support/proof.h"
 #include "steradian/tests/support/statistics.h"
 

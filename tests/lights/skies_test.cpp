@@ -4,8 +4,8 @@
 
 #include <cmath>
 
+#include "steradian/tests/lights/environment_maps.h"
 #include "steradian/tests/lights/light_scenes.h"
-#include "steradian/tests/lights/sky_pictures.h"
 
 namespace steradian {
 namespace {
@@ -24,7 +24,7 @@ TEST(Skies, AddUp) {
   const Vec3f sun = pixelDirection(*sunAt(8, 4, 3, 1), 3, 1);
   EXPECT_NEAR(skies.radiance(sun).g, 100.25f, 1e-3f);
   EXPECT_FLOAT_EQ(skies.radiance(-sun).g, 0.25f);
-  const SkyPicture picture({.image = sunAt(8, 4, 3, 1, 100.0f)}, false);
+  const EnvironmentMap picture({.image = sunAt(8, 4, 3, 1, 100.0f)}, false);
   EXPECT_NEAR(skies.power(2.0f).g, (picture.total().g + 0.25f * kFourPi) * kPi * 4.0f, 1e-2f);
   EXPECT_NEAR(skies.sampledPower(2.0f).g, picture.total().g * kPi * 4.0f, 1e-2f);
 }

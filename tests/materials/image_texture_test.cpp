@@ -27,8 +27,8 @@ ImageTexture texture(Wrap wrap, Filter filter) {
   return {.name = "", .image = numbered(), .wrapU = wrap, .wrapV = wrap, .filter = filter};
 }
 
-TEST(PictureLookup, RunsToTheRightAndUpwards) {
-  const PictureLookup lookup(texture(Wrap::Repeat, Filter::Nearest));
+TEST(ImageTextureLookup, RunsToTheRightAndUpwards) {
+  const ImageTextureLookup lookup(texture(Wrap::Repeat, Filter::Nearest));
   const auto expect = [&](Vec2f uv, float column, float row) {
     const Rgb c = lookup.value(uv);
     EXPECT_FLOAT_EQ(c.r, 0.1f * column) << uv.x << " " << uv.y;
@@ -41,8 +41,8 @@ TEST(PictureLookup, RunsToTheRightAndUpwards) {
   expect({0.24f, 0.49f}, 1, 2);
 }
 
-TEST(PictureLookup, IsExactAtTheCentresOfPixelsAndLinearBetween) {
-  const PictureLookup lookup(texture(Wrap::Clamp, Filter::Bilinear));
+TEST(ImageTextureLookup, IsExactAtTheCentresOfPixelsAndLinearBetween) {
+  const ImageTextureLookup lookup(texture(Wrap::Clamp, Filter::Bilinear));
   for (const int x : {0, 1, 2, 3}) {
     for (const int y : {0, 1}) {
       const Vec2f uv{0.25f * (static_cast<float>(x) + 0.5f), 1.0f - 0.5f * (static_cast<float>(y) + 0.5f)};
@@ -55,9 +55,9 @@ TEST(PictureLookup, IsExactAtTheCentresOfPixelsAndLinearBetween) {
   EXPECT_NEAR(between.g, 0.125f, 1e-7f);
 }
 
-TEST(PictureLookup, WrapsAsToldByNearestPixels) {
+TEST(ImageTextureLookup, WrapsAsToldByNearestPixels) {
   const auto column = [](Wrap wrap, float u) {
-    return PictureLookup(texture(wrap, Filter::Nearest)).value({u, 0.25f}).r;
+    return ImageTextureLookup(texture(wrap, Filter::Nearest)).value({u, 0.25f}).r;
   };
   for (const float u : {0.1f, 0.3f, 0.6f, 0.9f}) {
     const float inside = column(Wrap::Clamp, u), mirrored = column(Wrap::Clamp, 1.0f - u);
@@ -72,9 +72,9 @@ TEST(PictureLookup, WrapsAsToldByNearestPixels) {
   }
 }
 
-TEST(PictureLookup, WrapsAsToldBetweenPixels) {
+TEST(ImageTextureLookup, WrapsAsToldBetweenPixels) {
   const auto red = [](Wrap wrap, float u) {
-    return PictureLookup(texture(wrap, Filter::Bilinear)).value({u, 0.25f}).r;
+    return ImageTextureLookup(texture(wrap, Filter::Bilinear)).value({u, 0.25f}).r;
   };
   EXPECT_NEAR(red(Wrap::Repeat, 0.0f), 0.25f, 1e-7f);  // half the first, half the last
   EXPECT_NEAR(red(Wrap::Repeat, 1.0f), 0.25f, 1e-7f);
@@ -93,11 +93,11 @@ TEST(PictureLookup, WrapsAsToldBetweenPixels) {
   }
 }
 
-TEST(PictureLookup, FitsSeveralTimesAndTurnedOver) {
+TEST(ImageTextureLookup, FitsSeveralTimesAndTurnedOver) {
   ImageTexture several = texture(Wrap::Repeat, Filter::Nearest);
   several.repeatU = 3.0f;
   several.repeatV = -1.0f;
-  const PictureLookup lookup(several);
+  const ImageTextureLookup lookup(several);
   EXPECT_FLOAT_EQ(lookup.value({0.01f, 0.0f}).r, 0.1f);
   EXPECT_FLOAT_EQ(lookup.value({0.32f, 0.0f}).r, 0.4f);
   EXPECT_FLOAT_EQ(lookup.value({0.35f, 0.0f}).r, 0.1f);
@@ -105,25 +105,25 @@ TEST(PictureLookup, FitsSeveralTimesAndTurnedOver) {
   EXPECT_FLOAT_EQ(lookup.value({0.0f, 0.99f}).g, 0.2f);
 }
 
-TEST(PictureLookup, ClampsToReflectances) {
+TEST(ImageTextureLookup, ClampsToReflectances) {
   auto image = std::make_shared<Image>(2, 1, std::vector<std::string>{"R", "G", "B"});
   image->at(0, 0, 0) = 3.0f, image->at(0, 0, 1) = -1.0f, image->at(0, 0, 2) = 0.5f;
   for (const Filter filter : {Filter::Nearest, Filter::Bilinear}) {
-    const Rgb c = PictureLookup({.image = image, .wrapU = Wrap::Clamp, .filter = filter}).value({0.0f, 0.5f});
+    const Rgb c = ImageTextureLookup({.image = image, .wrapU = Wrap::Clamp, .filter = filter}).value({0.0f, 0.5f});
     EXPECT_EQ(c.r, 1.0f);
     EXPECT_EQ(c.g, 0.0f);
     EXPECT_EQ(c.b, 0.5f);
   }
 }
 
-TEST(PictureLookup, TakesAnyNumbers) {
+TEST(ImageTextureLookup, TakesAnyNumbers) {
   const float large = std::numeric_limits<float>::max(), infinite = std::numeric_limits<float>::infinity();
   auto one = std::make_shared<Image>(1, 1, std::vector<std::string>{"Y"});
   one->at(0, 0, 0) = 0.5f;
   for (const Wrap wrap : {Wrap::Repeat, Wrap::Mirror, Wrap::Clamp, Wrap::Black}) {
     for (const Filter filter : {Filter::Nearest, Filter::Bilinear}) {
-      const PictureLookup lookup(texture(wrap, filter));
-      const PictureLookup single({.image = one, .wrapU = wrap, .wrapV = wrap, .filter = filter});
+      const ImageTextureLookup lookup(texture(wrap, filter));
+      const ImageTextureLookup single({.image = one, .wrapU = wrap, .wrapV = wrap, .filter = filter});
       for (const float x : {-1e-9f, 0.0f, 1.0f, 1e9f, -1e9f, large, -large, infinite, -infinite, std::nanf("")}) {
         for (const float y : {0.5f, 1e30f, std::nanf("")}) {
           const float red = lookup.value({x, y}).r;

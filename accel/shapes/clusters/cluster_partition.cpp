@@ -48,7 +48,7 @@ struct Cut {
 /// By the surface-area heuristic, the best of a few planes along each axis (Wald 2007), over a part of very many items.
 class CutSearch {
  public:
-  explicit CutSearch(std::span<const ClusterItem> items) : items_(items), step_(1 + items.size() / kMostLookedAt) {
+  explicit CutSearch(std::span<const ClusterItem> items) : items_(items), step_(1 + items.size() / kMaxExamined) {
     Bounds3 middles;
     forEachLookedAt([&](const ClusterItem& item) { middles.include(item.bounds.low + item.bounds.high); });
     for (Along& along : axes_) {
@@ -79,7 +79,7 @@ class CutSearch {
   }
 
  private:
-  static constexpr std::size_t kBins = 16, kMostLookedAt = 4096;
+  static constexpr std::size_t kBins = 16, kMaxExamined = 4096;
   struct Bin {
     std::size_t count = 0;
     Bounds3 bounds;

@@ -8,7 +8,7 @@ namespace steradian {
 struct ClusterTree {
   static constexpr std::uint32_t kWidth = 8;
   /// No leaf has more nodes above it.
-  static constexpr std::uint32_t kMostDepth = 48;
+  static constexpr std::uint32_t kMaxDepth = 48;
   /// Set in the children that are leaves.
   static constexpr std::uint32_t kLeaf = 0x80000000u;
 

@@ -91,7 +91,7 @@ std::uint32_t takeLowest(std::uint32_t& bits) {
 }
 
 /// Most that can wait: of each node on the way down all children but one.
-constexpr std::size_t kStackSize = ClusterTree::kMostDepth * (ClusterTree::kWidth - 1);
+constexpr std::size_t kStackSize = ClusterTree::kMaxDepth * (ClusterTree::kWidth - 1);
 
 /// Where a ray still has to go, the nearest on top.
 class WayByDistance {

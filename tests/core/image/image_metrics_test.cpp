@@ -116,7 +116,7 @@ TEST(ZTest, NoiseFailsAtTheNominalRate) {
   }
 }
 
-/// Blocks of 2 x 2 pixels that err alike, as if they shared all of their paths.
+/// Blocks of 2 x 2 correlated pixels, as if they shared all of their paths.
 TEST(ZTest, PixelsThatErrAlikeAreNoReasonToFail) {
   constexpr int trials = 100;
   std::mt19937 random(11);

@@ -21,7 +21,7 @@ std::vector<Bsdf> bsdfs() {
 
 /// The origin of a plane that faces up, seen at an angle.
 PathVertex<Bsdf> vertexOn(const Bsdf& bsdf, ScatterPdf kind = ScatterPdf::Bsdf) {
-  static const Bodies none{};
+  static const InteriorStack none{};
   const Vec3f wo = normalize(Vec3f{0.9f, 0.0f, 0.3f});
   return {{{}, {}, kUp}, kUp, wo, bsdf, kind, bsdf.diracProbability(wo), true, &none, nullptr};
 }

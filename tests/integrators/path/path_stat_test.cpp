@@ -118,7 +118,7 @@ TEST(Strategies, AgreeWithOverlappingAndOccludedTargets) {
 }
 
 TEST(Strategies, AgreeUnderAPictureOfASky) {
-  SceneDescription scene = test::underASkyPicture();
+  SceneDescription scene = test::underAnEnvironmentMap();
   expectStrategiesAgree(scene, 256);
   scene.addLight("dusk", GradientSky{grey(0.3f), {0.1f, 0.2f, 0.4f}});  // and with another behind it
   scene.addLight("bulb", PointLight{{-0.5f, 2.0f, 1.6f}, grey(0.5f)});

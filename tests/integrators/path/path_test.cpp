@@ -150,7 +150,7 @@ TEST(Path, RefusesSettingsOutOfRange) {
   };
   EXPECT_FALSE(refused([](auto&) {}));
   EXPECT_TRUE(refused([](auto& s) { s.lightSamples = 0; }));
-  EXPECT_TRUE(refused([](auto& s) { s.maxDepth = PathSettings::kDeepest + 1; }));
+  EXPECT_TRUE(refused([](auto& s) { s.maxDepth = PathSettings::kMaxDepth + 1; }));
   EXPECT_TRUE(refused([](auto& s) { s.targetWeight = std::numeric_limits<float>::quiet_NaN(); }));
   EXPECT_TRUE(refused([](auto& s) { s.rouletteStrength = 1.5f; }));
 }

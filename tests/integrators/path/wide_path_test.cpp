@@ -69,7 +69,7 @@ void expectEqualWidths(const Scene& scene, const std::string& integrator, const 
 TEST(WidePath, EqualsWidthOneForEveryStrategy) {
   const Scene plain(plainRoom(), kFlat), textured(everythingRoom()), open(openScene()), smoky(smokyScene(), kFlat);
   const Scene inSpace(texturedRoom(false), kFlat), byUv(texturedRoom(true), kFlat);
-  const Scene sky(test::underASkyPicture());
+  const Scene sky(test::underAnEnvironmentMap());
   ASSERT_NE(plain.geometry().flat(), nullptr);
   for (const char* strategy : {"bsdf", "light", "mis", "mixture"}) {
     const std::string integrator = std::string("path:strategy=") + strategy;

@@ -22,7 +22,7 @@ SurfacePoint<float> on(Id shape, Id material, std::uint32_t primitive = 0) {
 }
 
 /// Glass of priority 2, liquid of priority 1 and a fog without any: shapes, materials and media of the same number.
-SceneDescription threeBodies() {
+SceneDescription threeInteriors() {
   SceneDescription scene;
   for (const char* name : {"glass", "liquid", "fog"}) scene.addMedium({.name = name, .absorption = grey(1.0f)});
   test::addSphere(scene, {}, 1.0f, scene.addMaterial("glass", DielectricMaterial{.eta = 1.5f}));
@@ -35,68 +35,68 @@ SceneDescription threeBodies() {
 }
 
 TEST(Volumes, TheHighestPriorityCountsThenTheInnermost) {
-  const Volumes volumes(threeBodies());
-  Bodies bodies;
+  const Volumes volumes(threeInteriors());
+  InteriorStack interior;
   constexpr std::uint32_t glass = 0, liquid = 1, fog = 2, vacuum = 3;
-  EXPECT_EQ(volumes.mediumIn(bodies), vacuum);
-  volumes.cross(on(0, 0), kIn, bodies);
-  EXPECT_EQ(volumes.mediumIn(bodies), glass);
-  volumes.cross(on(2, 2), kIn, bodies);
-  EXPECT_EQ(volumes.mediumIn(bodies), glass);
-  volumes.cross(on(1, 1), kIn, bodies);
-  EXPECT_EQ(volumes.mediumIn(bodies), glass);
-  volumes.cross(on(0, 0), kOut, bodies);
-  EXPECT_EQ(volumes.mediumIn(bodies), liquid);
-  volumes.cross(on(1, 1), kOut, bodies);
-  EXPECT_EQ(volumes.mediumIn(bodies), fog);
-  volumes.cross(on(2, 2), kOut, bodies);
-  EXPECT_EQ(volumes.mediumIn(bodies), vacuum);
-  EXPECT_TRUE(bodies.empty());
+  EXPECT_EQ(volumes.mediumIn(interior), vacuum);
+  volumes.cross(on(0, 0), kIn, interior);
+  EXPECT_EQ(volumes.mediumIn(interior), glass);
+  volumes.cross(on(2, 2), kIn, interior);
+  EXPECT_EQ(volumes.mediumIn(interior), glass);
+  volumes.cross(on(1, 1), kIn, interior);
+  EXPECT_EQ(volumes.mediumIn(interior), glass);
+  volumes.cross(on(0, 0), kOut, interior);
+  EXPECT_EQ(volumes.mediumIn(interior), liquid);
+  volumes.cross(on(1, 1), kOut, interior);
+  EXPECT_EQ(volumes.mediumIn(interior), fog);
+  volumes.cross(on(2, 2), kOut, interior);
+  EXPECT_EQ(volumes.mediumIn(interior), vacuum);
+  EXPECT_TRUE(interior.empty());
 }
 
 TEST(Volumes, SurfacesInsideOfHigherPrioritiesAreNotThere) {
-  const Volumes volumes(threeBodies());
-  Bodies bodies;
-  EXPECT_TRUE(volumes.boundary(on(1, 1), kIn, bodies).isReal);
-  EXPECT_FALSE(volumes.boundary(on(2, 2), kIn, bodies).isReal) << "an interface";
-  volumes.cross(on(0, 0), kIn, bodies);
-  EXPECT_FALSE(volumes.boundary(on(1, 1), kIn, bodies).isReal);
-  volumes.cross(on(1, 1), kIn, bodies);
-  const Boundary toLiquid = volumes.boundary(on(0, 0), kOut, bodies);
+  const Volumes volumes(threeInteriors());
+  InteriorStack interior;
+  EXPECT_TRUE(volumes.boundary(on(1, 1), kIn, interior).isReal);
+  EXPECT_FALSE(volumes.boundary(on(2, 2), kIn, interior).isReal) << "an interface";
+  volumes.cross(on(0, 0), kIn, interior);
+  EXPECT_FALSE(volumes.boundary(on(1, 1), kIn, interior).isReal);
+  volumes.cross(on(1, 1), kIn, interior);
+  const Boundary toLiquid = volumes.boundary(on(0, 0), kOut, interior);
   EXPECT_TRUE(toLiquid.isReal);
   EXPECT_EQ(toLiquid.outsideEta, 1.3f);
-  EXPECT_FALSE(volumes.boundary(on(1, 1), kOut, bodies).isReal);
-  volumes.cross(on(0, 0), kOut, bodies);
-  const Boundary toGlass = volumes.boundary(on(0, 0), kIn, bodies);
+  EXPECT_FALSE(volumes.boundary(on(1, 1), kOut, interior).isReal);
+  volumes.cross(on(0, 0), kOut, interior);
+  const Boundary toGlass = volumes.boundary(on(0, 0), kIn, interior);
   EXPECT_TRUE(toGlass.isReal);
   EXPECT_EQ(toGlass.outsideEta, 1.3f);
-  const Boundary toAir = volumes.boundary(on(1, 1), kOut, bodies);
+  const Boundary toAir = volumes.boundary(on(1, 1), kOut, interior);
   EXPECT_TRUE(toAir.isReal);
   EXPECT_EQ(toAir.outsideEta, 1.0f);
 }
 
 TEST(Volumes, BodiesOfOneSetAreApart) {
-  const Volumes volumes(threeBodies());
-  Bodies bodies;
-  volumes.cross(on(2, 2, 0), kIn, bodies);
-  volumes.cross(on(2, 2, 1), kIn, bodies);
-  volumes.cross(on(2, 2, 0), kOut, bodies);
-  EXPECT_EQ(volumes.mediumIn(bodies), 2u);
-  volumes.cross(on(2, 2, 1), kOut, bodies);
-  EXPECT_EQ(volumes.mediumIn(bodies), volumes.media().none());
+  const Volumes volumes(threeInteriors());
+  InteriorStack interior;
+  volumes.cross(on(2, 2, 0), kIn, interior);
+  volumes.cross(on(2, 2, 1), kIn, interior);
+  volumes.cross(on(2, 2, 0), kOut, interior);
+  EXPECT_EQ(volumes.mediumIn(interior), 2u);
+  volumes.cross(on(2, 2, 1), kOut, interior);
+  EXPECT_EQ(volumes.mediumIn(interior), volumes.media().none());
 }
 
 TEST(Volumes, MoreBodiesThanCanBeToldApartAreLeftOut) {
-  const Volumes volumes(threeBodies());
-  Bodies bodies;
-  for (std::uint32_t i = 0; i < Bodies::kMost + 3; ++i) volumes.cross(on(2, 2, i), kIn, bodies);
-  for (std::uint32_t i = Bodies::kMost + 3; i-- > 0;) volumes.cross(on(2, 2, i), kOut, bodies);
-  EXPECT_TRUE(bodies.empty());
+  const Volumes volumes(threeInteriors());
+  InteriorStack interior;
+  for (std::uint32_t i = 0; i < InteriorStack::kMaxSize + 3; ++i) volumes.cross(on(2, 2, i), kIn, interior);
+  for (std::uint32_t i = InteriorStack::kMaxSize + 3; i-- > 0;) volumes.cross(on(2, 2, i), kOut, interior);
+  EXPECT_TRUE(interior.empty());
 }
 
 TEST(Volumes, ScenesWithoutThemAreKnown) {
   EXPECT_TRUE(Volumes(test::room()).empty());
-  EXPECT_FALSE(Volumes(threeBodies()).empty());
+  EXPECT_FALSE(Volumes(threeInteriors()).empty());
   SceneDescription fog = test::room();
   fog.outside = fog.addMedium({.name = "fog", .scattering = grey(0.1f)});
   const Volumes volumes(fog);
@@ -114,17 +114,19 @@ TEST(Scene, KnowsWhatTheCameraIsIn) {
   }
   scene.shapes[test::addSphere(scene, {20, 0, 0}, 1.0f, air)].interior = Interior{0};
   scene.camera = PerspectiveCamera{.lookFrom = {0.1f, 0.2f, 0.3f}};
-  const auto absorptionIn = [](const Scene& s, const Bodies& bodies) {
-    return s.volumes().media().at<float>(s.volumes().mediumIn(bodies)).extinction.r;
+  const auto absorptionIn = [](const Scene& s, const InteriorStack& interior) {
+    return s.volumes().media().at<float>(s.volumes().mediumIn(interior)).extinction.r;
   };
-  const auto absorptionAt = [&](const Scene& s, Vec3f position) { return absorptionIn(s, s.bodiesAt(position, 0.0f)); };
+  const auto absorptionAt = [&](const Scene& s, Vec3f position) {
+    return absorptionIn(s, s.interiorAt(position, 0.0f));
+  };
   const Scene built(scene);
   EXPECT_EQ(absorptionAt(built, {0.5f, 0.0f, 0.0f}), 1.0f);
   EXPECT_EQ(absorptionAt(built, {0.0f, 1.5f, 0.0f}), 2.0f);
   EXPECT_EQ(absorptionAt(built, {0.0f, 0.0f, -2.5f}), 3.0f);
   EXPECT_EQ(absorptionAt(built, {9.0f, 0.0f, 0.0f}), 0.0f);
   EXPECT_EQ(absorptionAt(built, {20.0f, 0.5f, 0.0f}), 3.0f);
-  EXPECT_EQ(absorptionIn(built, built.bodiesAtStart({})), 1.0f);
+  EXPECT_EQ(absorptionIn(built, built.interiorAtStart({})), 1.0f);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "steradian/lights/sky_picture.h"
+#include "steradian/lights/environment_map.h"
 
 #include <cmath>
 #include <vector>
@@ -9,7 +9,7 @@ namespace {
 constexpr double kPiDouble = 3.14159265358979323846;
 
 /// The clamped colour of a pixel times the scale.
-Rgb colourAt(const Picture& picture, Rgb scale, std::uint32_t column, std::uint32_t row) {
+Rgb colourAt(const ColourImage& picture, Rgb scale, std::uint32_t column, std::uint32_t row) {
   const Rgb c = picture.texel<float>(column, row);
   return scale * Rgb{maximum(c.r, 0.0f), maximum(c.g, 0.0f), maximum(c.b, 0.0f)};
 }
@@ -31,7 +31,7 @@ std::vector<double> rowIntegrals(std::uint32_t rows) {
 }
 
 /// The integral of the radiance over all directions.
-Rgb integralOf(const Picture& picture, Rgb scale) {
+Rgb integralOf(const ColourImage& picture, Rgb scale) {
   const std::vector<double> weights = rowIntegrals(picture.height());
   double red = 0.0, green = 0.0, blue = 0.0;
   for (std::uint32_t row = 0; row < picture.height(); ++row) {
@@ -48,7 +48,7 @@ Rgb integralOf(const Picture& picture, Rgb scale) {
 
 /// Per pixel the mean of the interpolated luminance (an eighth of both neighbours, along each axis) times the mean
 /// sine.
-std::vector<float> weightsOf(const Picture& picture, Rgb scale) {
+std::vector<float> weightsOf(const ColourImage& picture, Rgb scale) {
   const std::uint32_t width = picture.width(), height = picture.height();
   const std::size_t columns = width;
   std::vector<float> along(columns * height);
@@ -79,7 +79,7 @@ float turnOf(float degrees) {
 
 }  // namespace
 
-SkyPicture::SkyPicture(const ImageSky& sky, bool sampled)
+EnvironmentMap::EnvironmentMap(const ImageSky& sky, bool sampled)
     : picture_(sky.image), scale_(sky.scale), total_(integralOf(picture_, scale_)), turn_(turnOf(sky.rotation)) {
   if (!sampled || !(luminance(total_) > 0.0f)) return;
   table_.emplace(weightsOf(picture_, scale_), picture_.width(), picture_.height());

@@ -1,4 +1,4 @@
-#include "steradian/core/colour/picture.h"
+#include "steradian/core/colour/colour_image.h"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ class ReadPicture : public test::TemporaryFolder {
   /// The message of the error; empty if there was none.
   std::string complaint(const std::string& file) {
     try {
-      readPicture(folder_ / file);
+      readColourImage(folder_ / file);
     } catch (const Error& error) {
       EXPECT_EQ(error.kind(), ErrorKind::Scene);
       EXPECT_NE(std::string(error.what()).find(file), std::string::npos);
@@ -35,9 +35,9 @@ Image numbered(int width, int height, std::vector<std::string> channels) {
   return image;
 }
 
-TEST(Picture, FindsItsColoursAmongOtherChannels) {
+TEST(ColourImage, FindsItsColoursAmongOtherChannels) {
   const auto image = std::make_shared<const Image>(numbered(3, 2, {"Z", "B", "A", "G", "R"}));
-  const Picture picture(image);
+  const ColourImage picture(image);
   EXPECT_EQ(picture.width(), 3u);
   EXPECT_EQ(picture.height(), 2u);
   const Rgb c = picture.texel<float>(2, 1);
@@ -46,29 +46,29 @@ TEST(Picture, FindsItsColoursAmongOtherChannels) {
   EXPECT_EQ(c.b, image->at(2, 1, 1));
 }
 
-TEST(Picture, OneChannelIsGrey) {
+TEST(ColourImage, OneChannelIsGrey) {
   const auto image = std::make_shared<const Image>(numbered(3, 2, {"depth"}));
-  const Rgb c = Picture(image).texel<float>(1, 1);
+  const Rgb c = ColourImage(image).texel<float>(1, 1);
   EXPECT_EQ(c.r, image->at(1, 1, 0));
   EXPECT_EQ(c.g, c.r);
   EXPECT_EQ(c.b, c.r);
 }
 
-TEST(Picture, NeedsColours) {
-  EXPECT_THROW(Picture(nullptr), Error);
-  EXPECT_THROW(Picture(std::make_shared<const Image>(numbered(1, 1, {"R", "G"}))), Error);
+TEST(ColourImage, NeedsColours) {
+  EXPECT_THROW(ColourImage(nullptr), Error);
+  EXPECT_THROW(ColourImage(std::make_shared<const Image>(numbered(1, 1, {"R", "G"}))), Error);
 }
 
-TEST(Picture, BlendsFourPixels) {
+TEST(ColourImage, BlendsFourPixels) {
   const auto image = std::make_shared<const Image>(numbered(4, 4, {"R", "G", "B"}));
-  const Picture picture(image);
+  const ColourImage picture(image);
   const Rgb c = picture.blend<float>({1, 2, 0.25f}, {3, 0, 0.5f});
   const auto along = [&](int y) { return 0.75f * image->at(1, y, 1) + 0.25f * image->at(2, y, 1); };
   EXPECT_FLOAT_EQ(c.g, 0.5f * along(3) + 0.5f * along(0));
 }
 
-TEST(Picture, LanesAgreeWithScalars) {
-  const Picture picture(std::make_shared<const Image>(numbered(7, 5, {"R", "G", "B"})));
+TEST(ColourImage, LanesAgreeWithScalars) {
+  const ColourImage picture(std::make_shared<const Image>(numbered(7, 5, {"R", "G", "B"})));
   const auto value = [&](auto x, auto y) {
     using F = decltype(x);
     const UintOf<F> column = toUnsigned(toInt(x * F(6.0f))), row = toUnsigned(toInt(y * F(4.0f)));
@@ -82,7 +82,7 @@ TEST_F(ReadPicture, RemovesTheCurveOfDisplayFiles) {
   image.at(1, 0, 0) = 1.0f, image.at(1, 0, 1) = 128.0f / 255.0f;
   writeImage(image, folder_ / "a.png");
   writeImage(image, folder_ / "a.exr");
-  const auto png = readPicture(folder_ / "a.png"), exr = readPicture(folder_ / "a.exr");
+  const auto png = readColourImage(folder_ / "a.png"), exr = readColourImage(folder_ / "a.exr");
   EXPECT_EQ(png->at(1, 0, 0), 1.0f);
   EXPECT_FLOAT_EQ(png->at(1, 0, 1), srgbDecode(128.0f / 255.0f));
   EXPECT_EQ(exr->at(1, 0, 1), image.at(1, 0, 1));
@@ -90,11 +90,11 @@ TEST_F(ReadPicture, RemovesTheCurveOfDisplayFiles) {
 
 TEST_F(ReadPicture, KeepsColoursAlone) {
   writeImage(numbered(3, 2, {"R", "G", "B", "A", "Z"}), folder_ / "colours.exr");
-  EXPECT_EQ(readPicture(folder_ / "colours.exr")->channels(), (std::vector<std::string>{"R", "G", "B"}));
+  EXPECT_EQ(readColourImage(folder_ / "colours.exr")->channels(), (std::vector<std::string>{"R", "G", "B"}));
   writeImage(numbered(3, 2, {"Z"}), folder_ / "depth.exr");
-  EXPECT_EQ(readPicture(folder_ / "depth.exr")->channelCount(), 1);
+  EXPECT_EQ(readColourImage(folder_ / "depth.exr")->channelCount(), 1);
   writeImage(numbered(3, 2, {"Y", "A"}), folder_ / "cutout.exr");
-  const auto cutout = readPicture(folder_ / "cutout.exr");
+  const auto cutout = readColourImage(folder_ / "cutout.exr");
   EXPECT_EQ(cutout->channelCount(), 1);
   EXPECT_EQ(cutout->at(2, 1, 0), 11.0f * 0.0078125f);
 }

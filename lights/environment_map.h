@@ -1,8 +1,8 @@
 #pragma once
-/// A picture of the whole sphere of directions, sampled in proportion to its brightness.
+/// Environment maps: images of the whole sphere of directions, importance-sampled by their luminance.
 #include <optional>
 
-#include "steradian/core/colour/picture.h"
+#include "steradian/core/colour/colour_image.h"
 #include "steradian/core/sampling/distribution.h"
 #include "steradian/core/scene/description.h"
 #include "steradian/core/transport/scattering.h"
@@ -16,11 +16,11 @@ namespace steradian {
 /// interpolated luminance there times the mean sine of the polar angle (Pharr, Jakob & Humphreys, "Physically Based
 /// Rendering", 4th ed., 12.5.2). So it is positive wherever there is light, next to a lone bright pixel as well, and
 /// luminance is nowhere more than 16 times the mean of its pixel.
-class SkyPicture {
+class EnvironmentMap {
  public:
   /// The description must be valid. Sampling takes a table of a float per pixel; without it there are no samples, and
   /// pdf() is 0.
-  SkyPicture(const ImageSky& sky, bool sampled);
+  EnvironmentMap(const ImageSky& sky, bool sampled);
 
   /// W sr^-1 m^-2, from a unit direction.
   template <class F>
@@ -61,14 +61,14 @@ class SkyPicture {
     return density / (F(2.0f * kPi * kPi) * maximum(sine, F(1e-6f)));
   }
 
-  Picture picture_;
+  ColourImage picture_;
   Rgb scale_, total_;
   float turn_;  ///< of the picture about +y, in [0, 1): whole turns do not count
   std::optional<PiecewiseConstant2D> table_;
 };
 
 template <class F>
-SkyPicture::Place<F> SkyPicture::placeOf(Vec3<F> direction) const {
+EnvironmentMap::Place<F> EnvironmentMap::placeOf(Vec3<F> direction) const {
   const F sine = squareRoot(direction.x * direction.x + direction.z * direction.z);
   const F turns = arcTan2(direction.x, -direction.z) * F(kInvTwoPi) + F(0.5f + turn_);
   const F last(kOneMinusEpsilon);
@@ -76,7 +76,7 @@ SkyPicture::Place<F> SkyPicture::placeOf(Vec3<F> direction) const {
 }
 
 template <class F>
-Spectrum<F> SkyPicture::radianceAt(const Place<F>& place) const {
+Spectrum<F> EnvironmentMap::radianceAt(const Place<F>& place) const {
   const auto width = static_cast<float>(picture_.width()), height = static_cast<float>(picture_.height());
   const F x = place.point.x * F(width) - F(0.5f), y = place.point.y * F(height) - F(0.5f);
   const F column = floorOf(x), row = floorOf(y);
@@ -91,7 +91,7 @@ Spectrum<F> SkyPicture::radianceAt(const Place<F>& place) const {
 }
 
 template <class F>
-SkyPicture::Sample<F> SkyPicture::sample(Vec2<F> u) const {
+EnvironmentMap::Sample<F> EnvironmentMap::sample(Vec2<F> u) const {
   if (!table_) return {};
   const auto s = table_->sample(u);
   const SinCos<F> theta = sinCosTwoPi(F(0.5f) * s.point.y);
@@ -102,7 +102,7 @@ SkyPicture::Sample<F> SkyPicture::sample(Vec2<F> u) const {
 }
 
 template <class F>
-F SkyPicture::pdf(Vec3<F> direction) const {
+F EnvironmentMap::pdf(Vec3<F> direction) const {
   if (!table_) return F(0.0f);
   const Place<F> place = placeOf(direction);
   return perSteradian(table_->pdf(place.point), place.sine);

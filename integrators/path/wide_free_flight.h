@@ -5,7 +5,8 @@
 #include <bit>
 
 #include "steradian/integrators/path/wide_scene.h"
-#include "steradian/integrators/volumes/flight.h"
+#include "steradian/integrators/volumes/crossings.h"
+#include "steradian/integrators/volumes/free_flight.h"
 
 namespace steradian {
 
@@ -16,19 +17,19 @@ void forEachLane(Mask mask, const Visit& visit) {
 }
 
 template <class F>
-class WideFlight {
+class WideFreeFlight {
  public:
   using Mask = MaskOf<F>;
   static constexpr int width = widthOf<F>;
 
-  explicit WideFlight(const WideScene& scene) : scene_(scene), volumes_(scene.scene().volumes()) {}
+  explicit WideFreeFlight(const WideScene& scene) : scene_(scene), volumes_(scene.scene().volumes()) {}
 
   /// The scene has volumes: there is something to do at all.
   bool needed() const { return !volumes_.empty(); }
   /// A path begins in lane i.
   void start(int i, const Ray<float>& cameraRay) {
-    bodies_[at(i)] = scene_.scene().bodiesAtStart(cameraRay);
-    setLane(inside_, i, volumes_.mediumIn(bodies_[at(i)]));
+    interior_[at(i)] = scene_.scene().interiorAtStart(cameraRay);
+    setLane(inside_, i, volumes_.mediumIn(interior_[at(i)]));
   }
 
   /// As `fly` in path_loop.h, for the active lanes; throughput and radiance are brought up to date.
@@ -40,7 +41,7 @@ class WideFlight {
   const Vec3<F>& position() const { return position_; }  ///< ... here, ...
   F distance() const { return distance_; }               ///< ... this far from the ray's origin
   F outsideEta() const { return outsideEta_; }           ///< see Boundary: of the surface met
-  const Bodies& bodies(int i) const { return bodies_[at(i)]; }
+  const InteriorStack& interior(int i) const { return interior_[at(i)]; }
 
   /// The lanes' paths leave these surfaces along wi, or are scattered in a medium.
   [[gnu::noinline]] void scatter(const SurfacePoint<F>& surface, const Vec3<F>& wo, const Vec3<F>& wi, Mask going);
@@ -49,12 +50,12 @@ class WideFlight {
 
  private:
   /// What a ray in each lane is inside of, and what became of it at surfaces.
-  using AllBodies = std::array<Bodies, static_cast<std::size_t>(width)>;
+  using InteriorStacks = std::array<InteriorStack, static_cast<std::size_t>(width)>;
   using AllCrossings = std::array<Crossings, static_cast<std::size_t>(width)>;
 
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
   /// Lanes that leave a closed surface to its other side.
-  Mask changesBodies(const SurfacePoint<F>& surface, const Vec3<F>& wo, const Vec3<F>& wi, Mask lanes) const {
+  Mask changesInterior(const SurfacePoint<F>& surface, const Vec3<F>& wo, const Vec3<F>& wi, Mask lanes) const {
     const Vec3<F>& n = surface.geometricNormal;
     return lanes & surface.valid & (dot(wi, n) * dot(wo, n) < F(0.0f)) & isMoreThanWall(surface, lanes);
   }
@@ -64,8 +65,8 @@ class WideFlight {
 
   const WideScene& scene_;
   const Volumes& volumes_;
-  AllBodies bodies_;      ///< that the rays are inside of
-  UintOf<F> inside_{0u};  ///< the number of the medium there
+  InteriorStacks interior_;  ///< that the rays are inside of
+  UintOf<F> inside_{0u};     ///< the number of the medium there
   AllCrossings crossings_;
 
   Mask inMedium_{false};
@@ -75,15 +76,15 @@ class WideFlight {
 };
 
 template <class F>
-SurfacePoint<F> WideFlight<F>::fly(Ray<F> ray, Mask active, const Vec2<F>& random, Spectrum<F>& throughput,
-                                   Spectrum<F>& radiance) {
-  Flight<F> flight(throughput, random);
+SurfacePoint<F> WideFreeFlight<F>::fly(Ray<F> ray, Mask active, const Vec2<F>& random, Spectrum<F>& throughput,
+                                       Spectrum<F>& radiance) {
+  FreeFlight<F> flight(throughput, random);
   inMedium_ = Mask(false);
   outsideEta_ = F(1.0f);
   Mask crossed(false), lost(false);  // lanes
   // What segments of these lanes met, in this medium. Returns those that go on.
   const auto arrive = [&](const SurfacePoint<F>& met, const Medium<F>& medium, Mask lanes) {
-    const Mask scattered = flight.travel(medium, ray, select(met.valid, met.distance, F(kInfinity)), lanes);
+    const Mask scattered = flight.sampleSegment(medium, ray, select(met.valid, met.distance, F(kInfinity)), lanes);
     inMedium_ = inMedium_ | scattered;
     const Mask here = lanes & met.valid & !scattered;
     Mask onward(false);
@@ -91,14 +92,14 @@ SurfacePoint<F> WideFlight<F>::fly(Ray<F> ray, Mask active, const Vec2<F>& rando
       Crossings& crossings = crossings_[at(i)];
       if (!lane(crossed, i)) crossings.restart();
       Ray<float> one = lane(ray, i);
-      if (crossings.pass(volumes_, lane(met, i), one, bodies_[at(i)])) {
+      if (crossings.pass(volumes_, lane(met, i), one, interior_[at(i)])) {
         setLane(ray.tMin, i, one.tMin);
         setLane(onward, i, true);
       } else {
         setLane(outsideEta_, i, crossings.outsideEta());
         setLane(lost, i, crossings.isLost());
       }
-      setLane(inside_, i, volumes_.mediumIn(bodies_[at(i)]));
+      setLane(inside_, i, volumes_.mediumIn(interior_[at(i)]));
     });
     crossed = crossed | onward;
     return onward;
@@ -121,23 +122,23 @@ SurfacePoint<F> WideFlight<F>::fly(Ray<F> ray, Mask active, const Vec2<F>& rando
 }
 
 template <class F>
-void WideFlight<F>::scatter(const SurfacePoint<F>& surface, const Vec3<F>& wo, const Vec3<F>& wi, Mask going) {
-  forEachLane(changesBodies(surface, wo, wi, going), [&](int i) {
-    volumes_.scatter(lane(surface, i), lane(wo, i), lane(wi, i), bodies_[at(i)]);
-    setLane(inside_, i, volumes_.mediumIn(bodies_[at(i)]));
+void WideFreeFlight<F>::scatter(const SurfacePoint<F>& surface, const Vec3<F>& wo, const Vec3<F>& wi, Mask going) {
+  forEachLane(changesInterior(surface, wo, wi, going), [&](int i) {
+    volumes_.scatter(lane(surface, i), lane(wo, i), lane(wi, i), interior_[at(i)]);
+    setLane(inside_, i, volumes_.mediumIn(interior_[at(i)]));
   });
 }
 
 template <class F>
-Spectrum<F> WideFlight<F>::transmittance(const SurfacePoint<F>& surface, const Vec3<F>& wo, Ray<F> ray, Mask lit) {
+Spectrum<F> WideFreeFlight<F>::transmittance(const SurfacePoint<F>& surface, const Vec3<F>& wo, Ray<F> ray, Mask lit) {
   if (!volumes_.passable()) lit = lit & !scene_.occluded(ray, lit);
-  AllBodies bodies;  // of lanes where they are others than at the start
-  Mask own = changesBodies(surface, wo, ray.direction, lit);
+  InteriorStacks interior;  // of lanes where they are others than at the start
+  Mask own = changesInterior(surface, wo, ray.direction, lit);
   UintOf<F> inside = inside_;
   forEachLane(own, [&](int i) {
-    bodies[at(i)] = bodies_[at(i)];
-    volumes_.scatter(lane(surface, i), lane(wo, i), lane(ray.direction, i), bodies[at(i)]);
-    setLane(inside, i, volumes_.mediumIn(bodies[at(i)]));
+    interior[at(i)] = interior_[at(i)];
+    volumes_.scatter(lane(surface, i), lane(wo, i), lane(ray.direction, i), interior[at(i)]);
+    setLane(inside, i, volumes_.mediumIn(interior[at(i)]));
   });
   Spectrum<F> share = select(lit, grey(F(1.0f)), Spectrum<F>{});
   Mask crossed(false);
@@ -151,14 +152,14 @@ Spectrum<F> WideFlight<F>::transmittance(const SurfacePoint<F>& surface, const V
     share = select(lit & !inQuestion, Spectrum<F>{}, share);
     lit = inQuestion;
     forEachLane(inQuestion, [&](int i) {
-      if (!lane(own, i)) bodies[at(i)] = bodies_[at(i)];
+      if (!lane(own, i)) interior[at(i)] = interior_[at(i)];
       if (!lane(crossed, i)) crossings_[at(i)].restart();
       setLane(own, i, true);
       setLane(crossed, i, true);
       Ray<float> one = lane(ray, i);
-      if (crossings_[at(i)].pass(volumes_, lane(met, i), one, bodies[at(i)])) {
+      if (crossings_[at(i)].pass(volumes_, lane(met, i), one, interior[at(i)])) {
         setLane(ray.tMin, i, one.tMin);
-        setLane(inside, i, volumes_.mediumIn(bodies[at(i)]));
+        setLane(inside, i, volumes_.mediumIn(interior[at(i)]));
       } else {
         setLane(share, i, Rgb{});
         setLane(lit, i, false);

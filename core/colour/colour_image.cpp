@@ -1,4 +1,4 @@
-#include "steradian/core/colour/picture.h"
+#include "steradian/core/colour/colour_image.h"
 
 #include <fmt/format.h>
 
@@ -43,7 +43,7 @@ Image coloursOf(const Image& image, const std::string& name) {
 
 }  // namespace
 
-Picture::Picture(std::shared_ptr<const Image> image) : image_(std::move(image)) {
+ColourImage::ColourImage(std::shared_ptr<const Image> image) : image_(std::move(image)) {
   if (image_ == nullptr) throw Error(ErrorKind::Usage, "a picture needs an image");
   const auto rgb = image_->findRgb();
   if (!rgb && image_->channelCount() != 1) {
@@ -62,7 +62,7 @@ Picture::Picture(std::shared_ptr<const Image> image) : image_(std::move(image)) 
   blue_ = first + channels[2];
 }
 
-std::shared_ptr<const Image> readPicture(const std::filesystem::path& path) {
+std::shared_ptr<const Image> readColourImage(const std::filesystem::path& path) {
   const std::string name = path.string();
   const Image file = readImage(path);
   if (file.isCropped()) {

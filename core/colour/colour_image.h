@@ -10,11 +10,11 @@ namespace steradian {
 
 /// The colours of an image: R, G and B, or its only channel for all three. It refers to the image's pixels, so any
 /// number of pictures may share them.
-class Picture {
+class ColourImage {
  public:
   /// Throws Error (Usage) for an image without such channels (or none at all), or of more than 2^31 - 1 values, which
   /// no index of a lane reaches.
-  explicit Picture(std::shared_ptr<const Image> image);
+  explicit ColourImage(std::shared_ptr<const Image> image);
 
   std::uint32_t width() const { return width_; }
   std::uint32_t height() const { return height_; }
@@ -50,6 +50,6 @@ class Picture {
 /// Reads a picture for textures and skies: linear colours in the channels R, G and B or, if it is grey, in one; alpha
 /// and other channels are left out. Formats and errors are those of readImage; besides, Error (Scene), with the path,
 /// for an image without colours, for a part of a larger picture, and for a colour that is not finite.
-std::shared_ptr<const Image> readPicture(const std::filesystem::path& path);
+std::shared_ptr<const Image> readColourImage(const std::filesystem::path& path);
 
 }  // namespace steradian

@@ -1,11 +1,11 @@
-#include "steradian/lights/sky_picture.h"
+#include "steradian/lights/environment_map.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "steradian/core/scene/camera.h"
-#include "steradian/tests/lights/sky_pictures.h"
+#include "steradian/tests/lights/environment_maps.h"
 #include "steradian/tests/support/lanes_check.h"
 #include "steradian/tests/support/statistics.h"
 
@@ -14,9 +14,9 @@ namespace {
 
 using namespace steradian::test;
 
-TEST(SkyPicture, IsWhatASphericalCameraSees) {
+TEST(EnvironmentMap, IsWhatASphericalCameraSees) {
   const auto image = randomSky(16, 8);
-  const SkyPicture sky({.image = image}, false);
+  const EnvironmentMap sky({.image = image}, false);
   const Camera camera(SphericalCamera{}, 16, 8);  // along -z
   for (int y = 0; y < 8; ++y) {
     for (int x = 0; x < 16; ++x) {
@@ -28,9 +28,9 @@ TEST(SkyPicture, IsWhatASphericalCameraSees) {
   }
 }
 
-TEST(SkyPicture, HasMinusZInItsMiddleAndXToTheRight) {
+TEST(EnvironmentMap, HasMinusZInItsMiddleAndXToTheRight) {
   const auto red = [](int column, Vec3f direction) {
-    return SkyPicture({.image = sunAt(8, 4, column, 1)}, false).radiance(direction).r;
+    return EnvironmentMap({.image = sunAt(8, 4, column, 1)}, false).radiance(direction).r;
   };
   // The middle lies between columns 3 and 4, and the horizon between rows 1 and 2.
   EXPECT_NEAR(red(3, {0, 0, -1}), 0.25f, 1e-5f);
@@ -43,11 +43,11 @@ TEST(SkyPicture, HasMinusZInItsMiddleAndXToTheRight) {
 }
 
 // Counter-clockwise seen from above: what was at -z goes to -x.
-TEST(SkyPicture, TurnsAboutTheVertical) {
+TEST(EnvironmentMap, TurnsAboutTheVertical) {
   const auto image = randomSky(16, 8);
-  const SkyPicture straight({.image = image}, false);
+  const EnvironmentMap straight({.image = image}, false);
   for (const float degrees : {90.0f, -270.0f, 450.0f}) {
-    const SkyPicture turned({.image = image, .rotation = degrees}, false);
+    const EnvironmentMap turned({.image = image, .rotation = degrees}, false);
     for (std::uint32_t i = 0; i < 100; ++i) {
       const auto w = randomWords<std::uint32_t>(i, 1u, 1u, 1u);
       const Vec3f d = UniformSphere<float>::sample({toUnitFloat<float>(w[0]), toUnitFloat<float>(w[1])});
@@ -57,10 +57,10 @@ TEST(SkyPicture, TurnsAboutTheVertical) {
   }
 }
 
-TEST(SkyPicture, ScalesAndTakesNothingNegative) {
+TEST(EnvironmentMap, ScalesAndTakesNothingNegative) {
   Image image(1, 1, {"R", "G", "B"});
   image.at(0, 0, 0) = 0.5f, image.at(0, 0, 1) = -3.0f, image.at(0, 0, 2) = 1.0f;
-  const SkyPicture sky({.image = std::make_shared<const Image>(image), .scale = {2.0f, 3.0f, 0.5f}}, true);
+  const EnvironmentMap sky({.image = std::make_shared<const Image>(image), .scale = {2.0f, 3.0f, 0.5f}}, true);
   const Rgb c = sky.radiance(Vec3f{0.6f, 0.0f, 0.8f});
   EXPECT_EQ(c.r, 1.0f);
   EXPECT_EQ(c.g, 0.0f);
@@ -69,18 +69,18 @@ TEST(SkyPicture, ScalesAndTakesNothingNegative) {
   EXPECT_NEAR(sky.pdf(Vec3f{0, 1, 0}), kInvFourPi * 2.0f / kPi / 1e-6f, 10.0f);  // at the pole: see perSteradian
 }
 
-TEST(SkyPicture, TotalIsTheIntegralOfRadiance) {
+TEST(EnvironmentMap, TotalIsTheIntegralOfRadiance) {
   for (const auto& image : {randomSky(8, 4), randomSky(5, 1), randomSky(1, 3), sunAt(8, 4, 2, 0), sunAt(8, 4, 7, 2)}) {
-    const SkyPicture sky({.image = image, .rotation = 30.0f}, false);
+    const EnvironmentMap sky({.image = image, .rotation = 30.0f}, false);
     const auto radiance = [&](Vec3f d) { return static_cast<double>(sky.radiance(d).g); };
     const double expected = integrateSphere(radiance, {.axis = {0, 1, 0}});
     EXPECT_NEAR(sky.total().g, expected, 2e-4 * expected);
   }
 }
 
-TEST(SkyPicture, DensityIsPositiveWhereverThereIsLight) {
+TEST(EnvironmentMap, DensityIsPositiveWhereverThereIsLight) {
   for (const int row : {0, 3, 7}) {
-    const SkyPicture sky({.image = sunAt(16, 8, 5, row)}, true);
+    const EnvironmentMap sky({.image = sunAt(16, 8, 5, row)}, true);
     int lit = 0;
     for (std::uint32_t i = 0; i < 20000; ++i) {
       const auto w = randomWords<std::uint32_t>(i, 2u, 1u, 1u);
@@ -97,9 +97,9 @@ TEST(SkyPicture, DensityIsPositiveWhereverThereIsLight) {
   }
 }
 
-TEST(SkyPicture, ASampleIsWhatRadianceAndPdfSay) {
+TEST(EnvironmentMap, ASampleIsWhatRadianceAndPdfSay) {
   for (const auto& image : {randomSky(16, 8), sunAt(64, 32, 11, 9)}) {
-    const SkyPicture sky({.image = image, .rotation = 77.0f}, true);
+    const EnvironmentMap sky({.image = image, .rotation = 77.0f}, true);
     int different = 0;
     for (std::uint32_t i = 0; i < 2000; ++i) {
       const auto w = randomWords<std::uint32_t>(i, 3u, 1u, 1u);
@@ -114,17 +114,17 @@ TEST(SkyPicture, ASampleIsWhatRadianceAndPdfSay) {
   }
 }
 
-TEST(SkyPicture, WithoutATableOrLightThereIsNothingToSample) {
-  for (const SkyPicture& sky :
-       {SkyPicture({.image = sunAt(4, 2, 1, 1)}, false), SkyPicture({.image = sunAt(4, 2, 1, 1, 0.0f)}, true),
-        SkyPicture({.image = sunAt(4, 2, 1, 1), .scale = {}}, true)}) {
+TEST(EnvironmentMap, WithoutATableOrLightThereIsNothingToSample) {
+  for (const EnvironmentMap& sky :
+       {EnvironmentMap({.image = sunAt(4, 2, 1, 1)}, false), EnvironmentMap({.image = sunAt(4, 2, 1, 1, 0.0f)}, true),
+        EnvironmentMap({.image = sunAt(4, 2, 1, 1), .scale = {}}, true)}) {
     EXPECT_EQ(sky.sample(Vec2f{0.3f, 0.6f}).direction.pdf, 0.0f);
     EXPECT_EQ(sky.pdf(Vec3f{0, 0, 1}), 0.0f);
   }
 }
 
-TEST(SkyPicture, LanesAgreeWithScalars) {
-  const SkyPicture sky({.image = randomSky(13, 7), .rotation = -33.0f}, true);
+TEST(EnvironmentMap, LanesAgreeWithScalars) {
+  const EnvironmentMap sky({.image = randomSky(13, 7), .rotation = -33.0f}, true);
   const auto us = unitNumbers(800), vs = unitNumbers(800, 1);
   EXPECT_TRUE(sameInLanes<8>([&](auto u, auto v) { return sky.sample(Vec2{u, v}).direction.wi; }, us, vs));
   EXPECT_TRUE(sameInLanes<8>([&](auto u, auto v) { return sky.sample(Vec2{u, v}).direction.pdf; }, us, vs));

@@ -1,32 +1,32 @@
 #pragma once
-/// How rays get from one place to the next: through media, and through surfaces that are none to them.
+/// Free flight: how far paths get in participating media before they are scattered or absorbed.
 ///
-/// A ray is traced in segments, from surface to surface: its origin stays, tMin moves on to the surface passed. Whoever
-/// traces says what each segment met. What media do on the way is computed for one path or for several at once; what
-/// becomes of a ray at a surface that may not be real to it is decided path by path.
+/// A ray is traced in segments, from surface to surface: its origin stays, tMin moves on to the surface passed
+/// (crossings.h). What media do to a segment is computed here, for one path or for several at once.
 #include "steradian/core/math/ray.h"
 #include "steradian/core/sampling/warp.h"
-#include "steradian/integrators/volumes/volumes.h"
+#include "steradian/materials/medium_set.h"
 
 namespace steradian {
 
-/// What happens to paths in media, on their way to the surface that they meet or to where they are scattered.
+/// The free flight of paths to the next surface that stops them, or to where a medium scatters them.
 ///
 /// The optical depth at which a path is scattered is drawn once, for one channel, and used up segment by segment. The
-/// channel is chosen as the throughput has it, and weights count all of them (the balance heuristic; Wilkie et al.
-/// 2014, "Hero wavelength spectral sampling"). Media that only absorb are not sampled: what they let through is known.
+/// channel is chosen in proportion to the throughput, and weights count all of them (the balance heuristic; Wilkie et
+/// al. 2014, "Hero wavelength spectral sampling"). Media that only absorb are not sampled: what they let through is
+/// known.
 template <class F>
-class Flight {
+class FreeFlight {
  public:
   using Mask = MaskOf<F>;
 
-  Flight() = default;
+  FreeFlight() = default;
   /// `random`: numbers in [0, 1).
-  Flight(const Spectrum<F>& throughput, const Vec2<F>& random);
+  FreeFlight(const Spectrum<F>& throughput, const Vec2<F>& random);
 
   /// One segment of the active paths, `ray` through `medium`, whose end is `distance` from the ray's origin (may be
   /// +inf). Returns those that the medium scatters before: where, ray.at(distance()) says.
-  Mask travel(const Medium<F>& medium, const Ray<F>& ray, F distance, Mask active);
+  Mask sampleSegment(const Medium<F>& medium, const Ray<F>& ray, F distance, Mask active);
 
   const Spectrum<F>& weight() const { return weight_; }    ///< of where the last segment ended
   const Spectrum<F>& emitted() const { return emitted_; }  ///< radiance that the media so far send to the start
@@ -45,31 +45,8 @@ class Flight {
   F distance_{0.0f};
 };
 
-/// What becomes of one flight at the surfaces that it meets.
-class Crossings {
- public:
-  /// A new flight begins.
-  void restart() { count_ = 0; }
-  /// The ray, inside of `bodies`, arrives at the valid point `met`. True if it goes on: then `ray` and `bodies` are
-  /// those behind the surface.
-  bool pass(const Volumes& volumes, const SurfacePoint<float>& met, Ray<float>& ray, Bodies& bodies);
-
-  /// Once `pass` has returned false:
-  float outsideEta() const { return outsideEta_; }  ///< see Boundary: of the surface met
-  bool isLost() const { return count_ == kMost; }   ///< given up, having crossed that many
-  /// A ray that crosses this many surfaces without being scattered is given up.
-  static constexpr std::uint32_t kMost = 10000;
-
- private:
-  std::uint32_t count_ = 0;
-  float outsideEta_ = 1.0f;
-  // At the last surface passed:
-  Bodies before_;
-  Vec3f error_{};
-};
-
 template <class F>
-Flight<F>::Flight(const Spectrum<F>& throughput, const Vec2<F>& random) {
+FreeFlight<F>::FreeFlight(const Spectrum<F>& throughput, const Vec2<F>& random) {
   const F total = sum(throughput), share = inverse(total);
   choice_ = select(total > F(0.0f), throughput * share, grey(F(1.0f / 3.0f)));
   isRed_ = random.y < choice_.r;
@@ -78,7 +55,7 @@ Flight<F>::Flight(const Spectrum<F>& throughput, const Vec2<F>& random) {
 }
 
 template <class F>
-MaskOf<F> Flight<F>::travel(const Medium<F>& medium, const Ray<F>& ray, F distance, Mask active) {
+MaskOf<F> FreeFlight<F>::sampleSegment(const Medium<F>& medium, const Ray<F>& ray, F distance, Mask active) {
   const F length = distance - ray.tMin;
   if (any(active & medium.emits())) {
     const Spectrum<F> seen = passed_ * left_ * medium.emitted(length) * inverse(sum(choice_ * left_));
