@@ -6,28 +6,74 @@
 #include <embree3/rtcore.h>
 #endif
 
+#include "steradian/accel/query_counts.h"
+
 namespace steradian::embree {
 
 inline constexpr const char* kVersion = RTC_VERSION_STRING;
 
-inline void intersect(RTCScene scene, RTCRayHit& rayHit) {
+/// What travels with a query to the callbacks. Embree hands its own part on: the first member.
+struct QueryContext {
 #if STERADIAN_EMBREE_MAJOR >= 4
-  rtcIntersect1(scene, &rayHit);
+  RTCRayQueryContext embree;
 #else
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  rtcIntersect1(scene, &context, &rayHit);
+  RTCIntersectContext embree;
+#endif
+  EmbreeCounts* counts;  ///< null: nobody counts
+
+  explicit QueryContext(EmbreeCounts* c) : counts(c) {
+#if STERADIAN_EMBREE_MAJOR >= 4
+    rtcInitRayQueryContext(&embree);
+#else
+    rtcInitIntersectContext(&embree);
+#endif
+    if (counts != nullptr) ++counts->rays;
+  }
+};
+
+/// The counts behind a callback's context, one callback more; null as above.
+template <class Arguments>
+EmbreeCounts* countCallback(const Arguments* args) {
+  EmbreeCounts* counts = reinterpret_cast<const QueryContext*>(args->context)->counts;
+  if (counts != nullptr) ++counts->callbacks;
+  return counts;
+}
+
+inline void intersect(RTCScene scene, RTCRayHit& rayHit, EmbreeCounts* counts) {
+  QueryContext context(counts);
+#if STERADIAN_EMBREE_MAJOR >= 4
+  RTCIntersectArguments arguments;
+  rtcInitIntersectArguments(&arguments);
+  arguments.context = &context.embree;
+  rtcIntersect1(scene, &rayHit, &arguments);
+#else
+  rtcIntersect1(scene, &context.embree, &rayHit);
+#endif
+}
+
+/// `valid`: -1 for rays that are to be traced, 0 for others.
+inline void intersect8(const int* valid, RTCScene scene, RTCRayHit8& rayHits, EmbreeCounts* counts) {
+  QueryContext context(counts);
+#if STERADIAN_EMBREE_MAJOR >= 4
+  RTCIntersectArguments arguments;
+  rtcInitIntersectArguments(&arguments);
+  arguments.context = &context.embree;
+  rtcIntersect8(valid, scene, &rayHits, &arguments);
+#else
+  rtcIntersect8(valid, scene, &context.embree, &rayHits);
 #endif
 }
 
 /// Embree reports a hit by setting ray.tfar to minus infinity.
-inline void occluded(RTCScene scene, RTCRay& ray) {
+inline void occluded(RTCScene scene, RTCRay& ray, EmbreeCounts* counts) {
+  QueryContext context(counts);
 #if STERADIAN_EMBREE_MAJOR >= 4
-  rtcOccluded1(scene, &ray);
+  RTCOccludedArguments arguments;
+  rtcInitOccludedArguments(&arguments);
+  arguments.context = &context.embree;
+  rtcOccluded1(scene, &ray, &arguments);
 #else
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  rtcOccluded1(scene, &context, &ray);
+  rtcOccluded1(scene, &context.embree, &ray);
 #endif
 }
 

@@ -3,19 +3,16 @@
 #include <algorithm>
 #include <chrono>
 
-#include "steradian/accel/embree_tree.h"
-#include "steradian/accel/shapes/primitives/shape_at.h"
-#include "steradian/accel/surface_point_of.h"
 #include "steradian/core/base/diagnostics.h"
 
 namespace steradian {
 namespace {
 
 using embree::Hierarchy;
+using embree::HierarchyPlan;
 
-/// Embree's non-robust box test, ours of nodes and the kernels differ in rounding; with bounds this much wider all that
-/// may hold a hit is passed, also what is exactly as far as the nearest one.
-float paddingFor(float magnitude) { return 4.0f * 0x1p-23f * magnitude; }
+/// Records of so many primitives are kept: 80 bytes each.
+constexpr std::size_t kMaxKeptRecords = 1u << 16;
 
 Vec3f cameraPosition(const CameraDescription& camera) {
   return std::visit([](const auto& c) { return c.lookFrom; }, camera);
@@ -24,9 +21,6 @@ Vec3f cameraPosition(const CameraDescription& camera) {
 bool areFinite(const Bounds3& b) {
   return isFinite(b.low.x + b.low.y + b.low.z) && isFinite(b.high.x + b.high.y + b.high.z);
 }
-
-/// Records of so many primitives are kept: 80 bytes each.
-constexpr std::size_t kMaxKeptRecords = 1u << 16;
 
 Matrix inverseOf(const Matrix& matrix, const SourceRange& where) {
   const Matrix result = affineInverse(matrix);
@@ -55,10 +49,11 @@ void count(const ShapeGeometry& geometry, GeometryStatistics& statistics) {
 
 Geometry::Implementation::Implementation(std::shared_ptr<const SceneDescription> scene,
                                          const GeometrySettings& settings)
-    : description(std::move(scene)), isa(settings.isa), mostWithoutTree(settings.mostWithoutTree) {
+    : description(std::move(scene)), isa(settings.isa) {
   const auto start = std::chrono::steady_clock::now();
   requireUsable(settings.isa);
-  clustersOf.resize(description->shapes.size());
+  statistics.accel = planAccel(*description, settings.accel);
+  sources.resize(description->shapes.size());
   std::vector<bool> grouped(description->shapes.size(), false);
   for (const Group& group : description->groups) {
     for (const Id shape : group.shapes) grouped[shape] = true;
@@ -69,25 +64,30 @@ Geometry::Implementation::Implementation(std::shared_ptr<const SceneDescription>
     if (!grouped[i]) placed.push_back(static_cast<Id>(i));
   }
   findMotions();
-  const bool clusterMeshes = statistics.triangles <= settings.clusteredTriangles;
-  for (const Group& group : description->groups) {
-    groups.push_back(std::make_unique<embree::Hierarchy>());
-    gather(*groups.back(), group.shapes, clusterMeshes);
+  std::vector<HierarchyPlan> groupPlans;
+  for (const Group& group : description->groups) groupPlans.push_back(planOf(group.shapes));
+  HierarchyPlan worldPlan = planOf(placed);
+  buildHierarchies(settings, std::move(groupPlans), std::move(worldPlan));
+  if (statistics.accel.accel == Accel::Flat) {
+    std::vector<Id> clustered;
+    for (const Id shape : placed) {
+      if (sources[shape].clusters && !motionOf(motionOfShape, shape)) clustered.push_back(shape);
+    }
+    if (!clustered.empty()) flat.emplace(*description, clustered);
   }
-  gather(world, placed, clusterMeshes);
-  placeInstances();
-  buildHierarchies();
-  hasRecords = transforms.empty() && motions.empty() && !hasNativeTriangles && haveRecords(*description, placed);
-  recordsKnowUv = steradian::recordsKnowUv(*description, placed);
-  if (hasRecords && mostWithoutTree > 0 && FlatPrimitives::holds(*description, placed))
-    flat.emplace(*description, placed);
-  else if (hasRecords && statistics.primitives() <= kMaxKeptRecords)
-    keepRecords();
-  statistics.bytes = world.bytes() + (device_ ? device_->bytes() : 0) +
+  keepRecords();
+  statistics.bytes = world->bytes() + (device.made() ? device.made()->bytes() : 0) +
                      (transforms.capacity() + inverses.capacity()) * sizeof(Matrix) +
                      motions.capacity() * sizeof(MovingTransform) + keptRecords.capacity() * sizeof(PointRecord);
   for (const auto& group : groups) statistics.bytes += group->bytes();
+  if (!world->scene && groups.empty()) device.release();
   statistics.buildSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+void Geometry::Implementation::addMotion(const Motion& motion, std::vector<std::uint32_t>& numbers, std::size_t i) {
+  numbers.resize(std::max(numbers.size(), i + 1), kNone);
+  numbers[i] = static_cast<std::uint32_t>(motions.size());
+  motions.emplace_back(motion);
 }
 
 void Geometry::Implementation::findMotions() {
@@ -98,61 +98,77 @@ void Geometry::Implementation::findMotions() {
     addMotion(*shape.motion, motionOfShape, i);
   }
   if (!motionOfShape.empty()) motionOfShape.resize(description->shapes.size(), kNone);
-  std::size_t flatIndex = 0;
-  for (const InstanceSet& set : description->instances) {
-    for (std::size_t i = 0; i < set.transforms.size(); ++i, ++flatIndex) {
-      if (set.closing.empty() || set.closing[i] == set.transforms[i]) continue;
-      inverseOf(set.closing[i], set.where);  // or an error
-      addMotion({set.transforms[i], set.closing[i]}, motionOfInstance, flatIndex);
-    }
-  }
-  if (!motionOfInstance.empty()) motionOfInstance.resize(flatIndex, kNone);
+  placeInstances();
   dependsOnTime = !motions.empty() || std::any_of(description->shapes.begin(), description->shapes.end(), [](auto& s) {
     const auto* spheres = std::get_if<SphereSet>(&s.geometry);
     return std::holds_alternative<CustomShapeSet>(s.geometry) || (spheres && areMoving(*spheres));
   });
 }
 
-void Geometry::Implementation::gather(Hierarchy& hierarchy, std::span<const Id> shapes, bool clusterMeshes) {
-  std::vector<Id> still;
+void Geometry::Implementation::placeInstances() {
+  for (const InstanceSet& set : description->instances) {
+    for (std::size_t i = 0; i < set.transforms.size(); ++i) {
+      transforms.push_back(set.transforms[i]);
+      inverses.push_back(inverseOf(set.transforms[i], set.where));
+      if (set.closing.empty() || set.closing[i] == set.transforms[i]) continue;
+      inverseOf(set.closing[i], set.where);  // or an error
+      addMotion({set.transforms[i], set.closing[i]}, motionOfInstance, transforms.size() - 1);
+    }
+  }
+  if (!motionOfInstance.empty()) motionOfInstance.resize(transforms.size(), kNone);
+  statistics.instances = transforms.size();
+}
+
+void Geometry::Implementation::addAtRest(Id id, HierarchyPlan& plan) {
+  const ShapeDescription& shape = description->shapes[id];
+  ShapeSource& source = sources[id];
+  if (const auto* mesh = std::get_if<TriangleMesh>(&shape.geometry)) {
+    if (!mesh->normals.empty() || !mesh->uvs.empty()) source.vertexData = mesh;
+    allRecords = allRecords && mesh->normals.empty();
+    recordsKnowUv = recordsKnowUv && mesh->uvs.empty();
+    if (!statistics.accel.clusterMeshes) {
+      plan.meshes.push_back(id);
+      for (const std::uint32_t i : mesh->indices) plan.bounds.include(mesh->positions[i]);
+      return;
+    }
+  }
+  if (const auto* custom = std::get_if<CustomShapeSet>(&shape.geometry)) {
+    source.isCustom = true;
+    plan.custom.push_back(id);
+    for (const auto& implementation : custom->shapes) {
+      const Bounds3 own = implementation->bounds();
+      plan.bounds.include(own);
+      if (areFinite(own)) continue;
+      throw Error(ErrorKind::Scene,
+                  Diagnostic{Severity::Error, shape.where, "the bounds of a custom shape are not finite", ""});
+    }
+    return;
+  }
+  plan.clustered.push_back(id);
+}
+
+HierarchyPlan Geometry::Implementation::planOf(std::span<const Id> shapes) {
+  HierarchyPlan plan;
   for (const Id shape : shapes) {
     const MovingTransform* motion = motionOf(motionOfShape, shape);
     if (!motion) {
-      still.push_back(shape);
+      addAtRest(shape, plan);
       continue;
     }
-    hierarchy.moving.push_back({shape, std::make_unique<Hierarchy>()});
-    Hierarchy& own = *hierarchy.moving.back().hierarchy;
-    gatherStill(own, std::span(&shape, 1), clusterMeshes);
-    hierarchy.bounds.include(motion->bounds(own.bounds));
+    plan.moving.push_back({shape, motion, std::make_unique<HierarchyPlan>()});
+    HierarchyPlan& own = *plan.moving.back().plan;
+    addAtRest(shape, own);
+    cluster(own);
+    plan.bounds.include(motion->bounds(own.bounds));
   }
-  gatherStill(hierarchy, still, clusterMeshes);
+  cluster(plan);
+  return plan;
 }
 
-void Geometry::Implementation::gatherStill(Hierarchy& hierarchy, std::span<const Id> shapes, bool clusterMeshes) {
-  std::vector<Id> clustered;
-  for (const Id shape : shapes) {
-    const ShapeDescription& s = description->shapes[shape];
-    const auto* mesh = std::get_if<TriangleMesh>(&s.geometry);
-    if (mesh && !clusterMeshes) {
-      hierarchy.meshes.push_back(shape);
-      hasNativeTriangles = true;
-      for (const std::uint32_t i : mesh->indices) hierarchy.bounds.include(mesh->positions[i]);
-    } else {
-      clustered.push_back(shape);
-    }
-    if (const auto* custom = std::get_if<CustomShapeSet>(&s.geometry)) {
-      for (const auto& implementation : custom->shapes) {
-        if (areFinite(implementation->bounds())) continue;
-        throw Error(ErrorKind::Scene,
-                    Diagnostic{Severity::Error, s.where, "the bounds of a custom shape are not finite", ""});
-      }
-    }
-  }
-  hierarchy.clusters = ClusterSet(*description, clustered, isa);
-  for (const Id shape : clustered) clustersOf[shape] = &hierarchy.clusters;
-  hierarchy.bounds.include(hierarchy.clusters.bounds());
-  statistics.clusters += hierarchy.clusters.size();
+void Geometry::Implementation::cluster(HierarchyPlan& plan) {
+  plan.built = buildClusters(*description, plan.clustered);
+  plan.bounds.include(plan.built.total);
+  statistics.clusters += plan.built.clusters.count();
 }
 
 Bounds3 Geometry::Implementation::origins() const {
@@ -161,104 +177,106 @@ Bounds3 Geometry::Implementation::origins() const {
   return all;
 }
 
-void Geometry::Implementation::placeInstances() {
-  bounds = world.bounds;
-  for (const InstanceSet& set : description->instances) {
-    for (const Matrix& matrix : set.transforms) {
-      transforms.push_back(matrix);
-      inverses.push_back(inverseOf(matrix, set.where));
-      const MovingTransform* motion = motionOf(motionOfInstance, static_cast<std::uint32_t>(transforms.size() - 1));
-      const Bounds3& local = groups[set.group]->bounds;
-      bounds.include(motion ? motion->bounds(local) : transformedBounds(local, matrix));
-    }
+void Geometry::Implementation::buildHierarchies(const GeometrySettings& settings, std::vector<HierarchyPlan> groupPlans,
+                                                HierarchyPlan worldPlan) {
+  // The group of each instance, and the bounds of all.
+  std::vector<Id> groupOf;
+  for (const InstanceSet& set : description->instances) groupOf.insert(groupOf.end(), set.transforms.size(), set.group);
+  bounds = worldPlan.bounds;
+  for (std::uint32_t i = 0; i < groupOf.size(); ++i) {
+    const MovingTransform* motion = motionOf(motionOfInstance, i);
+    const Bounds3& local = groupPlans[groupOf[i]].bounds;
+    bounds.include(motion ? motion->bounds(local) : transformedBounds(local, transforms[i]));
   }
-  statistics.instances = transforms.size();
-}
-
-void Geometry::Implementation::addCopy(Hierarchy& around, const MovingTransform& motion, const Hierarchy& of,
-                                       std::uint32_t instance) const {
-  const bool alone = of.isClustersAlone();
-  around.copies.items.push_back(
-      {&motion, motion.bounds(of.bounds), alone ? &of.clusters : nullptr, alone ? nullptr : &of.scene, instance});
-}
-
-void Geometry::Implementation::build(Hierarchy& hierarchy, float magnitude) {
-  const float padding = paddingFor(magnitude);
-  if (hierarchy.clusters.size() > mostWithoutTree)
-    hierarchy.clusters.setTree(embree::buildTree(device(), hierarchy.clusters.clusterBounds(), padding));
-  hierarchy.clusters.dropBounds();
-  hierarchy.forEmbree = {&hierarchy.clusters, padding};
-  hierarchy.copies.padding = padding;
-  for (const Hierarchy::Moving& moving : hierarchy.moving) {
-    const MovingTransform& motion = *motionOf(motionOfShape, moving.shape);
-    Hierarchy& own = *moving.hierarchy;
-    build(own, motion.localMagnitude(magnitude));
-    if (!own.isClustersAlone()) {
-      makeScene(own, true);
-      own.scene.commit();
-    }
-    addCopy(hierarchy, motion, own, kNone);
-  }
-}
-
-void Geometry::Implementation::makeScene(Hierarchy& hierarchy, bool withClusters) {
-  hierarchy.scene = embree::Scene(device(), !hierarchy.meshes.empty());
-  if (withClusters && hierarchy.clusters.size() > 0)
-    hierarchy.scene.attachClusters(device(), hierarchy.forEmbree, clustersId());
-  for (const Id mesh : hierarchy.meshes)
-    hierarchy.scene.attachTriangles(device(), std::get<TriangleMesh>(description->shapes[mesh].geometry), mesh);
-  if (!hierarchy.copies.items.empty()) hierarchy.scene.attachMoving(device(), hierarchy.copies, movingId());
-}
-
-void Geometry::Implementation::buildHierarchies() {
+  // How far from the origin rays start, in the world and in the space of each group.
   const Bounds3 origins = this->origins();
   const float magnitude = origins.magnitude();
-  std::vector<float> magnitudes(groups.size(), 0.0f);
-  std::uint32_t flatIndex = 0;
-  for (const InstanceSet& set : description->instances) {
-    for (std::size_t i = 0; i < set.transforms.size(); ++i, ++flatIndex) {
-      const MovingTransform* motion = motionOf(motionOfInstance, flatIndex);
-      const float inGroup =
-          motion ? motion->localMagnitude(magnitude) : transformedBounds(origins, inverses[flatIndex]).magnitude();
-      magnitudes[set.group] = maximum(magnitudes[set.group], inGroup);
-    }
+  std::vector<float> magnitudes(groupPlans.size(), 0.0f);
+  for (std::uint32_t i = 0; i < groupOf.size(); ++i) {
+    const MovingTransform* motion = motionOf(motionOfInstance, i);
+    const float inGroup =
+        motion ? motion->localMagnitude(magnitude) : transformedBounds(origins, inverses[i]).magnitude();
+    magnitudes[groupOf[i]] = maximum(magnitudes[groupOf[i]], inGroup);
   }
-  for (std::size_t g = 0; g < groups.size(); ++g) {
-    Hierarchy& group = *groups[g];
-    build(group, magnitudes[g]);
-    makeScene(group, true);
-    group.scene.commit();
+  const embree::HierarchyContext context{*description, statistics.accel, settings.accel, isa, device};
+  firstInstanceId = context.firstInstanceId();
+  for (std::size_t g = 0; g < groupPlans.size(); ++g) {
+    groups.push_back(std::make_unique<Hierarchy>(context, std::move(groupPlans[g]), magnitudes[g], true));
+    registerClusters(*groups.back());
   }
-  build(world, magnitude);
-  flatIndex = 0;
-  for (const InstanceSet& set : description->instances) {
-    for (std::size_t i = 0; i < set.transforms.size(); ++i, ++flatIndex) {
-      const MovingTransform* motion = motionOf(motionOfInstance, flatIndex);
-      if (motion) addCopy(world, *motion, *groups[set.group], firstInstanceId() + flatIndex);
-    }
-  }
-  if (!world.isClustersAlone() || !transforms.empty()) {
-    makeScene(world, false);
-    flatIndex = 0;
-    for (const InstanceSet& set : description->instances) {
-      for (const Matrix& matrix : set.transforms) {
-        const std::uint32_t index = flatIndex++;
-        if (!motionOf(motionOfInstance, index))
-          world.scene.attachInstance(device(), groups[set.group]->scene, matrix, firstInstanceId() + index);
-      }
-    }
-    world.scene.commit();
-  }
-  if (!device_) return;
-  device_->check();
-  if (!world.scene && groups.empty()) device_ = nullptr;
+  std::vector<embree::Instance> instances;
+  for (std::uint32_t i = 0; i < groupOf.size(); ++i)
+    instances.push_back({groups[groupOf[i]].get(), &transforms[i], motionOf(motionOfInstance, i)});
+  world = std::make_unique<Hierarchy>(context, std::move(worldPlan), magnitude, instances);
+  registerClusters(*world);
+  if (device.made()) device.made()->check();
+}
+
+void Geometry::Implementation::registerClusters(const Hierarchy& hierarchy) {
+  hierarchy.forEachHierarchy([&](const Hierarchy& own) {
+    for (const Id shape : own.clustered) sources[shape].clusters = &own.clusters;
+  });
 }
 
 void Geometry::Implementation::keepRecords() {
-  for (std::uint32_t place = 0; place < world.clusters.size() * kClusterSize; ++place) {
-    PointRecord& record = keptRecords.emplace_back(PointRecord{{}, 0, kNone, kNone, kNone});
-    if (world.clusters.isUsed(place)) fillRecord(record, place);
+  // Clusters of a hierarchy, or a mesh of Embree's own triangles.
+  struct Candidate {
+    std::size_t primitives;
+    const Hierarchy* hierarchy;
+    Id mesh;
+  };
+  std::vector<Candidate> candidates;
+  const auto add = [&](const Hierarchy& own) {
+    if (own.primitives > 0 && !(&own == world.get() && flat)) candidates.push_back({own.primitives, &own, kNone});
+  };
+  world->forEachHierarchy(add);
+  if (!transforms.empty()) {
+    for (const auto& group : groups) group->forEachHierarchy(add);
   }
+  for (Id shape = 0; shape < sources.size(); ++shape) {
+    if (!sources[shape].clusters && !sources[shape].isCustom)
+      candidates.push_back({primitiveCount(description->shapes[shape].geometry), nullptr, shape});
+  }
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.primitives < b.primitives; });
+  std::size_t kept = 0;
+  for (const Candidate& candidate : candidates) {
+    kept += candidate.primitives;
+    if (kept > kMaxKeptRecords) break;
+    const auto first = static_cast<std::uint32_t>(keptRecords.size());
+    if (candidate.hierarchy == nullptr) {
+      sources[candidate.mesh].firstRecord = first;
+      for (std::uint32_t i = 0; i < candidate.primitives; ++i)
+        fillTriangle(keptRecords.emplace_back(), candidate.mesh, i);
+      continue;
+    }
+    const ClusterSet& clusters = candidate.hierarchy->clusters;
+    for (const Id shape : candidate.hierarchy->clustered) sources[shape].firstRecord = first;
+    for (std::uint32_t place = 0; place < clusters.size() * kClusterSize; ++place) {
+      PointRecord& record = keptRecords.emplace_back(PointRecord{{}, 0, kNone, kNone, kNone});
+      if (!clusters.isUsed(place)) continue;
+      clusters.fillRecord(record, place);
+      record.material = materialOf(record.shape, record.primitive);
+    }
+  }
+  allRecords = allRecords && !flat && !statistics.accel.needsEmbree();
+}
+
+void Geometry::Implementation::fillTriangle(PointRecord& record, Id mesh, std::uint32_t triangle) const {
+  steradian::fillRecord<TriangleLeaf>(record,
+                                      triangleAt(std::get<TriangleMesh>(description->shapes[mesh].geometry), triangle));
+  record.shape = mesh;
+  record.primitive = triangle;
+  record.material = materialOf(mesh, triangle);
+}
+
+bool Geometry::Implementation::fillRecord(PointRecord& record, const Hit<float>& hit) const {
+  const ShapeSource& source = sources[hit.shape];
+  if (source.isCustom) return false;
+  if (!source.clusters) return fillTriangle(record, hit.shape, hit.primitive), true;
+  source.clusters->fillRecord(record, hit.place);
+  record.material = materialOf(record.shape, record.primitive);
+  return true;
 }
 
 }  // namespace steradian

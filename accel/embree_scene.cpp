@@ -4,7 +4,8 @@
 
 #include <cstring>
 
-#include "steradian/accel/surface_point_of.h"
+#include "steradian/accel/embree_hierarchy.h"
+#include "steradian/accel/transformed_point.h"
 #include "steradian/core/base/diagnostics.h"
 
 namespace steradian::embree {
@@ -33,8 +34,6 @@ Ray<float> fromEmbree(const RTCRay& r) {
   return {{r.org_x, r.org_y, r.org_z}, {r.dir_x, r.dir_y, r.dir_z}, r.tfar, r.time, r.tnear};
 }
 
-// Queries are for one ray at a time, so the N of Embree's argument blocks is 1, and a block of one is a plain record.
-
 void storeBounds(const Bounds3& b, float padding, RTCBounds& out) {
   out.lower_x = b.low.x - padding;
   out.lower_y = b.low.y - padding;
@@ -44,55 +43,128 @@ void storeBounds(const Bounds3& b, float padding, RTCBounds& out) {
   out.upper_z = b.high.z + padding;
 }
 
-/// Calls nearest(ray, instance, best) for Embree's ray and nearest hit so far, and tells Embree about a better one.
-template <class Nearest>
-void updateHit(const RTCIntersectFunctionNArguments* args, const Nearest& nearest) {
-  if (!args->valid[0]) return;
-  RTCRayHit& rayHit = *reinterpret_cast<RTCRayHit*>(args->rayhit);
-  RTCHit& hit = rayHit.hit;
+LeafHit leafHit(const RTCRayHit& rayHit) {
+  const RTCHit& hit = rayHit.hit;
+  if (hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
+  return {rayHit.ray.tfar, hit.u, hit.v, hit.geomID, hit.primID, hit.instID[0], bitsOf(hit.Ng_x)};
+}
+
+/// Calls intersect(ray, instance, best) for Embree's ray and nearest hit so far. Returns whether there is a better one,
+/// which is then in rayHit.
+template <class Intersect>
+bool updateHit(RTCRayHit& rayHit, std::uint32_t instance, const Intersect& intersect) {
   Ray<float> ray = fromEmbree(rayHit.ray);
-  LeafHit best;
-  if (hit.geomID != RTC_INVALID_GEOMETRY_ID) {
-    best = {ray.tMax, hit.u, hit.v, hit.geomID, hit.primID, hit.instID[0], bitsOf(hit.Ng_x)};
-    ray.tMax = justBeyond(ray.tMax);  // equally near hits must come through
-  }
+  LeafHit best = leafHit(rayHit);
+  if (best.found()) ray.tMax = justBeyond(ray.tMax);  // equally near hits must come through
   const LeafHit before = best;
-  nearest(ray, args->context->instID[0], best);
+  intersect(ray, instance, best);
   if (best.t == before.t && best.shape == before.shape && best.primitive == before.primitive &&
       best.instance == before.instance) {
-    return;
+    return false;
   }
   rayHit.ray.tfar = best.t;
+  RTCHit& hit = rayHit.hit;
   hit.u = best.u;
   hit.v = best.v;
   hit.geomID = best.shape;
   hit.primID = best.primitive;
   hit.instID[0] = best.instance;
-  hit.Ng_x = floatOf(best.place);  // of clusters and what moves nobody needs the normal
+  hit.Ng_x = floatOf(best.place);  // nobody needs the normal of user geometry
+  return true;
 }
 
-/// any(ray): is Embree's ray occluded?
-template <class Any>
-void updateOcclusion(const RTCOccludedFunctionNArguments* args, const Any& any) {
+/// The same for all rays of a callback: one, or those of a packet.
+template <class Intersect>
+void updateHits(const RTCIntersectFunctionNArguments* args, const Intersect& intersect) {
+  const std::uint32_t instance = args->context->instID[0];
+  if (args->N == 1) {  // a block of one is a plain record
+    if (args->valid[0]) updateHit(*reinterpret_cast<RTCRayHit*>(args->rayhit), instance, intersect);
+    return;
+  }
+  for (unsigned int i = 0; i < args->N; ++i) {
+    if (!args->valid[i]) continue;
+    RTCRayHit one = rtcGetRayHitFromRayHitN(args->rayhit, args->N, i);
+    if (!updateHit(one, instance, intersect)) continue;
+    RTCRayN_tfar(RTCRayHitN_RayN(args->rayhit, args->N), args->N, i) = one.ray.tfar;
+    rtcCopyHitToHitN(RTCRayHitN_HitN(args->rayhit, args->N), &one.hit, args->N, i);
+  }
+}
+
+/// occluded(ray): is Embree's ray occluded? Such rays are traced one at a time.
+template <class Occluded>
+void updateOcclusion(const RTCOccludedFunctionNArguments* args, const Occluded& occluded) {
   if (!args->valid[0]) return;
   RTCRay& ray = *reinterpret_cast<RTCRay*>(args->ray);
-  if (any(fromEmbree(ray))) ray.tfar = -kInfinity;
+  if (occluded(fromEmbree(ray))) ray.tfar = -kInfinity;
 }
+
+// --- Clusters
 
 void boundsOfClusters(const RTCBoundsFunctionArguments* args) {
   const auto& geometry = *static_cast<const ClusterGeometry*>(args->geometryUserPtr);
-  storeBounds(geometry.clusters->bounds(), geometry.padding, *args->bounds_o);
+  storeBounds(geometry.total, geometry.padding, *args->bounds_o);
 }
 void intersectClusters(const RTCIntersectFunctionNArguments* args) {
   const auto& geometry = *static_cast<const ClusterGeometry*>(args->geometryUserPtr);
-  updateHit(args, [&](const Ray<float>& ray, std::uint32_t instance, LeafHit& best) {
-    geometry.clusters->nearest(ray, instance, best);
+  countCallback(args);
+  updateHits(args, [&](const Ray<float>& ray, std::uint32_t instance, LeafHit& best) {
+    geometry.clusters->intersect(ray, instance, best);
   });
 }
 void occludedByClusters(const RTCOccludedFunctionNArguments* args) {
   const auto& geometry = *static_cast<const ClusterGeometry*>(args->geometryUserPtr);
-  updateOcclusion(args, [&](const Ray<float>& ray) { return geometry.clusters->any(ray); });
+  countCallback(args);
+  updateOcclusion(args, [&](const Ray<float>& ray) { return geometry.clusters->occluded(ray); });
 }
+
+void boundsOfOneCluster(const RTCBoundsFunctionArguments* args) {
+  const auto& geometry = *static_cast<const ClusterGeometry*>(args->geometryUserPtr);
+  storeBounds(geometry.bounds[args->primID], geometry.padding, *args->bounds_o);
+}
+void intersectOneCluster(const RTCIntersectFunctionNArguments* args) {
+  const auto& geometry = *static_cast<const ClusterGeometry*>(args->geometryUserPtr);
+  countCallback(args);
+  updateHits(args, [&](const Ray<float>& ray, std::uint32_t instance, LeafHit& best) {
+    geometry.clusters->intersectOne(args->primID, ray, instance, best);
+  });
+}
+void occludedByOneCluster(const RTCOccludedFunctionNArguments* args) {
+  const auto& geometry = *static_cast<const ClusterGeometry*>(args->geometryUserPtr);
+  countCallback(args);
+  updateOcclusion(args, [&](const Ray<float>& ray) { return geometry.clusters->occludedByOne(args->primID, ray); });
+}
+
+// --- Custom shapes
+
+void intersectShape(const CustomGeometry::Item& item, const Ray<float>& ray, std::uint32_t instance, LeafHit& best) {
+  const auto hit = item.implementation->intersect(ray);
+  // Someone else's code: hold it to its contract.
+  if (!hit || !(hit->t > ray.tMin && hit->t < ray.tMax)) return;
+  keepFirst({hit->t, hit->uv.x, hit->uv.y, item.shape, item.primitive, instance, kNone}, best);
+}
+
+void boundsOfCustom(const RTCBoundsFunctionArguments* args) {
+  const auto& geometry = *static_cast<const CustomGeometry*>(args->geometryUserPtr);
+  storeBounds(geometry.items[args->primID].implementation->bounds(), geometry.padding, *args->bounds_o);
+}
+void intersectCustom(const RTCIntersectFunctionNArguments* args) {
+  const auto& geometry = *static_cast<const CustomGeometry*>(args->geometryUserPtr);
+  countCallback(args);
+  updateHits(args, [&](const Ray<float>& ray, std::uint32_t instance, LeafHit& best) {
+    intersectShape(geometry.items[args->primID], ray, instance, best);
+  });
+}
+void occludedByCustom(const RTCOccludedFunctionNArguments* args) {
+  const auto& geometry = *static_cast<const CustomGeometry*>(args->geometryUserPtr);
+  countCallback(args);
+  updateOcclusion(args, [&](const Ray<float>& ray) {
+    LeafHit hit;
+    intersectShape(geometry.items[args->primID], ray, kNone, hit);
+    return hit.found();
+  });
+}
+
+// --- What moves
 
 Ray<float> localRay(const MovingGeometry::Item& item, const Ray<float>& ray) {
   return transformed(ray, affineInverse(item.localToWorld->at(ray.time)));
@@ -104,21 +176,15 @@ void boundsOfMoving(const RTCBoundsFunctionArguments* args) {
 }
 void intersectMoving(const RTCIntersectFunctionNArguments* args) {
   const MovingGeometry::Item& item = static_cast<const MovingGeometry*>(args->geometryUserPtr)->items[args->primID];
-  updateHit(args, [&](const Ray<float>& ray, std::uint32_t around, LeafHit& best) {
-    const std::uint32_t instance = item.instance != kNone ? item.instance : around;
-    const Ray<float> local = localRay(item, ray);
-    if (item.clusters) return item.clusters->nearest(local, instance, best);
-    LeafHit hit = intersect(*item.scene, local);
-    hit.instance = instance;
-    keepFirst(hit, best);
+  EmbreeCounts* counts = countCallback(args);
+  updateHits(args, [&](const Ray<float>& ray, std::uint32_t around, LeafHit& best) {
+    item.of->intersect(localRay(item, ray), item.instance != kNone ? item.instance : around, best, counts);
   });
 }
 void occludedByMoving(const RTCOccludedFunctionNArguments* args) {
   const MovingGeometry::Item& item = static_cast<const MovingGeometry*>(args->geometryUserPtr)->items[args->primID];
-  updateOcclusion(args, [&](const Ray<float>& ray) {
-    const Ray<float> local = localRay(item, ray);
-    return item.clusters ? item.clusters->any(local) : occluded(*item.scene, local);
-  });
+  EmbreeCounts* counts = countCallback(args);
+  updateOcclusion(args, [&](const Ray<float>& ray) { return item.of->occluded(localRay(item, ray), counts); });
 }
 
 /// A geometry under construction; the scene keeps it alive once attached.
@@ -183,11 +249,20 @@ Scene::Scene(const Device& device, bool robust) : scene_(rtcNewScene(device.get(
   rtcSetSceneFlags(scene_.get(), robust ? RTC_SCENE_FLAG_ROBUST : RTC_SCENE_FLAG_NONE);
 }
 
-void Scene::attachClusters(const Device& device, const ClusterGeometry& geometry, std::uint32_t id) {
-  attachUser(device, 1, &geometry, boundsOfClusters, intersectClusters, occludedByClusters, id);
+void Scene::attach(const Device& device, const ClusterGeometry& geometry, std::uint32_t id) {
+  if (geometry.bounds.empty()) {
+    attachUser(device, 1, &geometry, boundsOfClusters, intersectClusters, occludedByClusters, id);
+  } else {
+    attachUser(device, geometry.bounds.size(), &geometry, boundsOfOneCluster, intersectOneCluster, occludedByOneCluster,
+               id);
+  }
 }
 
-void Scene::attachMoving(const Device& device, const MovingGeometry& geometry, std::uint32_t id) {
+void Scene::attach(const Device& device, const CustomGeometry& geometry, std::uint32_t id) {
+  attachUser(device, geometry.items.size(), &geometry, boundsOfCustom, intersectCustom, occludedByCustom, id);
+}
+
+void Scene::attach(const Device& device, const MovingGeometry& geometry, std::uint32_t id) {
   attachUser(device, geometry.items.size(), &geometry, boundsOfMoving, intersectMoving, occludedByMoving, id);
 }
 
@@ -224,20 +299,49 @@ void Scene::attachInstance(const Device& device, const Scene& group, const Matri
 
 void Scene::commit() { rtcCommitScene(scene_.get()); }
 
-LeafHit intersect(const Scene& scene, const Ray<float>& ray) {
+LeafHit intersect(const Scene& scene, const Ray<float>& ray, EmbreeCounts* counts) {
   RTCRayHit rayHit;
   rayHit.ray = toEmbree(ray);
   rayHit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   rayHit.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-  intersect(scene.get(), rayHit);
-  const RTCHit& hit = rayHit.hit;
-  if (hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
-  return {rayHit.ray.tfar, hit.u, hit.v, hit.geomID, hit.primID, hit.instID[0], bitsOf(hit.Ng_x)};
+  intersect(scene.get(), rayHit, counts);
+  return leafHit(rayHit);
 }
 
-bool occluded(const Scene& scene, const Ray<float>& ray) {
+void intersectPacket(const Scene& scene, std::span<const Ray<float>> rays, std::span<LeafHit> hits,
+                     EmbreeCounts* counts) {
+  constexpr unsigned int width = 8;
+  RTCRayHit8 packet;
+  alignas(32) int valid[width] = {};
+  auto* rayN = reinterpret_cast<RTCRayN*>(&packet.ray);
+  const auto count = static_cast<unsigned int>(rays.size());
+  for (unsigned int i = 0; i < count; ++i) {
+    valid[i] = -1;
+    const RTCRay ray = toEmbree(rays[i]);
+    RTCRayN_org_x(rayN, width, i) = ray.org_x;
+    RTCRayN_org_y(rayN, width, i) = ray.org_y;
+    RTCRayN_org_z(rayN, width, i) = ray.org_z;
+    RTCRayN_tnear(rayN, width, i) = ray.tnear;
+    RTCRayN_dir_x(rayN, width, i) = ray.dir_x;
+    RTCRayN_dir_y(rayN, width, i) = ray.dir_y;
+    RTCRayN_dir_z(rayN, width, i) = ray.dir_z;
+    RTCRayN_time(rayN, width, i) = ray.time;
+    RTCRayN_tfar(rayN, width, i) = ray.tfar;
+    RTCRayN_mask(rayN, width, i) = ray.mask;
+    RTCRayN_id(rayN, width, i) = i;
+    RTCRayN_flags(rayN, width, i) = 0;
+    packet.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+    packet.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
+  }
+  if (counts != nullptr && count > 0) counts->rays += count - 1;
+  intersect8(valid, scene.get(), packet, counts);
+  for (unsigned int i = 0; i < count; ++i)
+    hits[i] = leafHit(rtcGetRayHitFromRayHitN(reinterpret_cast<RTCRayHitN*>(&packet), width, i));
+}
+
+bool occluded(const Scene& scene, const Ray<float>& ray, EmbreeCounts* counts) {
   RTCRay r = toEmbree(ray);
-  occluded(scene.get(), r);
+  occluded(scene.get(), r, counts);
   return r.tfar < 0.0f;
 }
 

@@ -1,13 +1,17 @@
 #pragma once
-/// Embree's objects as values, and our clusters and what moves as its user geometry. Only files of this folder see it.
+/// Embree's objects as values, and our clusters, custom shapes and what moves as its user geometry. Only files of this
+/// folder see it.
 #include <atomic>
 #include <memory>
 #include <mutex>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "steradian/accel/embree_api.h"
 #include "steradian/accel/shapes/clusters/cluster_set.h"
 #include "steradian/core/math/motion.h"
+#include "steradian/core/scene/custom_shape.h"
 
 namespace steradian::embree {
 
@@ -34,26 +38,54 @@ class Device {
   std::atomic<std::ptrdiff_t> bytes_{0};
 };
 
-/// Clusters that Embree calls back for as a whole: they have a hierarchy of their own.
+/// A device that is made when it is first needed: the smallest scenes do without.
+class DeviceOnDemand {
+ public:
+  const Device& get() {
+    if (!device_) device_ = std::make_unique<Device>();
+    return *device_;
+  }
+  /// Null if it has not been needed.
+  const Device* made() const { return device_.get(); }
+  void release() { device_ = nullptr; }
+
+ private:
+  std::unique_ptr<Device> device_;
+};
+
+/// Clusters as user geometry.
 struct ClusterGeometry {
   const ClusterSet* clusters = nullptr;
+  /// Of each cluster: each is a primitive of Embree. Empty: all of them are one primitive, and have a hierarchy of
+  /// their own. Read while the scene is committed.
+  std::vector<Bounds3> bounds;
+  Bounds3 total;
   float padding = 0.0f;  ///< bounds are this much wider on every side; scene units
 };
 
-class Scene;
+/// Custom shapes as user geometry, each a primitive.
+struct CustomGeometry {
+  struct Item {
+    const CustomShape* implementation;
+    std::uint32_t shape, primitive;
+  };
+  std::vector<Item> items;
+  float padding = 0.0f;  ///< see ClusterGeometry
+};
 
-/// Copies that move: a ray meets each in the copy's own space at the ray's time. (Embree would interpolate by itself,
-/// but with other roundings than surface points have.)
+struct Hierarchy;
+
+/// Copies that move, each a primitive of user geometry: a ray is traced through each in the copy's own space at the
+/// ray's time. (Embree would interpolate by itself, but with other roundings than surface points have.)
 struct MovingGeometry {
   struct Item {
     const MovingTransform* localToWorld;
-    Bounds3 bounds;              ///< at all times
-    const ClusterSet* clusters;  ///< what is copied, if that is clusters alone; or null:
-    const Scene* scene;          ///< ... the scene of it
-    std::uint32_t instance;      ///< of hits; kNone: the one that the copy itself is met in
+    Bounds3 bounds;          ///< at all times
+    const Hierarchy* of;     ///< what is copied
+    std::uint32_t instance;  ///< of hits; kNone: the one that holds the copy itself
   };
   std::vector<Item> items;
-  float padding = 0.0f;  ///< bounds are this much wider on every side; scene units
+  float padding = 0.0f;  ///< see ClusterGeometry
 };
 
 /// One hierarchy.
@@ -65,11 +97,11 @@ class Scene {
 
   RTCScene get() const { return scene_.get(); }
   explicit operator bool() const { return scene_ != nullptr; }
-  /// As a user geometry of this id. Hits carry the shape as geomID, its primitive as primID. `geometry` must outlive
-  /// the scene.
-  void attachClusters(const Device& device, const ClusterGeometry& geometry, std::uint32_t id);
-  /// Items must all be there, and `geometry` outlive the scene.
-  void attachMoving(const Device& device, const MovingGeometry& geometry, std::uint32_t id);
+  // As a user geometry of this id. Hits carry the shape as geomID, its primitive as primID. `geometry` must be complete
+  // and outlive the scene.
+  void attach(const Device& device, const ClusterGeometry& geometry, std::uint32_t id);
+  void attach(const Device& device, const CustomGeometry& geometry, std::uint32_t id);
+  void attach(const Device& device, const MovingGeometry& geometry, std::uint32_t id);
   void attachTriangles(const Device& device, const TriangleMesh& mesh, std::uint32_t id);
   void attachInstance(const Device& device, const Scene& group, const Matrix& localToWorld, std::uint32_t id);
   /// Builds the hierarchy with the threads of the caller's arena.
@@ -86,7 +118,10 @@ class Scene {
 };
 
 /// Nearest hit; ids of instances are those they were attached with. `place` is of no use for native triangles.
-LeafHit intersect(const Scene& scene, const Ray<float>& ray);
-bool occluded(const Scene& scene, const Ray<float>& ray);
+LeafHit intersect(const Scene& scene, const Ray<float>& ray, EmbreeCounts* counts);
+bool occluded(const Scene& scene, const Ray<float>& ray, EmbreeCounts* counts);
+/// The same for up to 8 rays as one of Embree's packets.
+void intersectPacket(const Scene& scene, std::span<const Ray<float>> rays, std::span<LeafHit> hits,
+                     EmbreeCounts* counts);
 
 }  // namespace steradian::embree

@@ -2,14 +2,17 @@
 
 #include "steradian/accel/embree_geometry.h"
 #include "steradian/accel/surface_point_of.h"
+#include "steradian/accel/transformed_point.h"
+#include "steradian/core/base/diagnostics.h"
 
 namespace steradian {
 
 SurfacePoint<float> Geometry::Implementation::localPoint(const Ray<float>& ray, const Hit<float>& hit) const {
   const ShapeDescription& shape = description->shapes[hit.shape];
-  if (hit.place == kNone || std::holds_alternative<TriangleMesh>(shape.geometry))
+  const ShapeSource& source = sources[hit.shape];
+  if (!source.clusters || std::holds_alternative<TriangleMesh>(shape.geometry))
     return localSurfacePoint(shape, ray, hit);
-  return localSurfacePoint(clustersOf[hit.shape]->leafShape(hit.place), ray, hit);
+  return localSurfacePoint(source.clusters->leafShape(hit.place), ray, hit);
 }
 
 SurfacePoint<float> Geometry::Implementation::groupPoint(const Ray<float>& ray, const Hit<float>& hit) const {
@@ -38,24 +41,68 @@ Geometry::~Geometry() = default;
 Geometry::Geometry(Geometry&&) noexcept = default;
 Geometry& Geometry::operator=(Geometry&&) noexcept = default;
 
-Hit<float> Geometry::intersectUsable(const Ray<float>& ray) const {
-  const Implementation& self = *implementation_;
-  LeafHit best;
-  self.world.clusters.nearest(ray, kNone, best);
-  if (self.world.scene) {
-    Ray<float> toBest = self.forEmbree(ray);
-    if (best.found()) toBest.tMax = justBeyond(best.t);
-    LeafHit other = embree::intersect(self.world.scene, toBest);
-    if (other.instance != kNone) other.instance -= self.firstInstanceId();
-    keepFirst(other, best);
-  }
+namespace {
+
+Hit<float> hitOf(const LeafHit& best) {
   if (!best.found()) return {};
   return {true, best.t, best.u, best.v, best.shape, best.primitive, best.instance, best.place};
 }
 
-bool Geometry::occludedUsable(const Ray<float>& ray) const {
+}  // namespace
+
+void Geometry::Implementation::intersectScene(const Ray<float>& ray, LeafHit& best, EmbreeCounts* counts) const {
+  Ray<float> toBest = forEmbree(ray);
+  if (best.found()) toBest.tMax = justBeyond(best.t);
+  LeafHit other = embree::intersect(world->scene, toBest, counts);
+  if (other.instance != kNone) other.instance -= firstInstanceId;
+  keepFirst(other, best);
+}
+
+Hit<float> Geometry::intersectUsable(const Ray<float>& ray, EmbreeCounts* counts) const {
   const Implementation& self = *implementation_;
-  return self.world.clusters.any(ray) || (self.world.scene && embree::occluded(self.world.scene, self.forEmbree(ray)));
+  LeafHit best;
+  if (self.world->walksClusters()) self.world->clusters.intersect(ray, kNone, best);
+  if (self.world->asksScene()) self.intersectScene(ray, best, counts);
+  return hitOf(best);
+}
+
+bool Geometry::occludedUsable(const Ray<float>& ray, EmbreeCounts* counts) const {
+  const Implementation& self = *implementation_;
+  return (self.world->walksClusters() && self.world->clusters.occluded(ray)) || occludedBesideFlat(ray, counts);
+}
+
+Hit<float> Geometry::intersectBesideFlat(const Ray<float>& ray, const Hit<float>& hit, EmbreeCounts* counts) const {
+  const Implementation& self = *implementation_;
+  LeafHit best;
+  if (hit.valid) best = {hit.t, hit.u, hit.v, hit.shape, hit.primitive, hit.instance, hit.place};
+  if (self.world->asksScene()) self.intersectScene(ray, best, counts);
+  return hitOf(best);
+}
+
+bool Geometry::occludedBesideFlat(const Ray<float>& ray, EmbreeCounts* counts) const {
+  const Implementation& self = *implementation_;
+  return self.world->asksScene() && embree::occluded(self.world->scene, self.forEmbree(ray), counts);
+}
+
+void Geometry::intersectPacket(std::span<const Ray<float>> rays, std::span<Hit<float>> hits,
+                               EmbreeCounts* counts) const {
+  const Implementation& self = *implementation_;
+  constexpr std::size_t most = 8;
+  if (rays.size() > most || hits.size() < rays.size())
+    throw Error(ErrorKind::Usage, "a packet has at most 8 rays, and a hit for each of them");
+  if (self.statistics.accel.accel != Accel::Embree || !self.world->asksScene()) {
+    for (std::size_t i = 0; i < rays.size(); ++i) hits[i] = intersectUsable(rays[i], counts);
+    return;
+  }
+  if (rays.empty()) return;
+  Ray<float> shifted[most];
+  LeafHit found[most];
+  for (std::size_t i = 0; i < rays.size(); ++i) shifted[i] = self.forEmbree(rays[i]);
+  embree::intersectPacket(self.world->scene, std::span(shifted, rays.size()), found, counts);
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    if (found[i].instance != kNone) found[i].instance -= self.firstInstanceId;
+    hits[i] = hitOf(found[i]);
+  }
 }
 
 SurfacePoint<float> Geometry::surfacePoint(const Ray<float>& ray, const Hit<float>& hit) const {
@@ -72,14 +119,35 @@ SurfacePoint<float> Geometry::surfacePoint(const Ray<float>& ray, const Hit<floa
   return point;
 }
 
-void Geometry::fillRecord(PointRecord& record, const Hit<float>& hit) const {
-  implementation_->fillRecord(record, hit.place);
+const FlatPrimitives* Geometry::flat() const { return implementation_->flat ? &*implementation_->flat : nullptr; }
+bool Geometry::recordsByPlace(bool withUv) const {
+  return implementation_->allRecords && (!withUv || implementation_->recordsKnowUv);
 }
 std::span<const PointRecord> Geometry::keptRecords() const { return implementation_->keptRecords; }
+const PointRecord* Geometry::keptRecord(const Hit<float>& hit) const {
+  const std::uint32_t record = implementation_->keptRecord(hit);
+  return record == kNone ? nullptr : &implementation_->keptRecords[record];
+}
+bool Geometry::fillRecord(PointRecord& record, const Hit<float>& hit) const {
+  return implementation_->fillRecord(record, hit);
+}
 
-bool Geometry::hasRecords() const { return implementation_->hasRecords; }
-bool Geometry::recordsKnowUv() const { return implementation_->recordsKnowUv; }
-const FlatPrimitives* Geometry::flat() const { return implementation_->flat ? &*implementation_->flat : nullptr; }
+Geometry::Placement Geometry::placementOf(const Hit<float>& hit, float time, Matrix& localToWorld,
+                                          Matrix& worldToLocal) const {
+  const Implementation& self = *implementation_;
+  const MovingTransform* own = self.motionOf(self.motionOfShape, hit.shape);
+  if (hit.instance == kNone && !own) return Placement::Direct;
+  if (hit.instance != kNone && own) return Placement::TransformedTwice;
+  const MovingTransform* motion = own ? own : self.motionOf(self.motionOfInstance, hit.instance);
+  // As in the query, to the bit.
+  localToWorld = motion ? motion->at(time) : self.transforms[hit.instance];
+  worldToLocal = motion ? affineInverse(localToWorld) : self.inverses[hit.instance];
+  return Placement::Transformed;
+}
+const TriangleMesh* Geometry::vertexData(const Hit<float>& hit) const {
+  return implementation_->sources[hit.shape].vertexData;
+}
+
 Bounds3 Geometry::bounds() const { return implementation_->bounds; }
 std::span<const Matrix> Geometry::instanceTransforms() const { return implementation_->transforms; }
 bool Geometry::dependsOnTime() const { return implementation_->dependsOnTime; }

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "steradian/accel/accel.h"
+#include "steradian/accel/query_counts.h"
 #include "steradian/core/base/isa.h"
 #include "steradian/core/math/bounds.h"
 #include "steradian/core/math/ray.h"
@@ -21,13 +23,8 @@ struct PointRecord;
 std::string_view embreeVersion();
 
 struct GeometrySettings {
-  /// So few clusters are met one after the other, without a hierarchy: faster up to there (BENCHMARKS.md). With 0 all
-  /// have a hierarchy, and a few primitives are not met with all lanes either. Hits are the same either way.
-  std::uint32_t mostWithoutTree = 3;
-  /// Meshes join the clusters if a scene has at most this many triangles in all: one hierarchy in place of two.
-  /// Otherwise Embree keeps them, which is a tenth faster for twice the memory.
-  std::size_t clusteredTriangles = 256;
-  /// Which code answers queries about the geometry and traces the paths of a render; it must be usable.
+  AccelSettings accel;
+  /// Which code answers queries about the geometry; it must be usable.
   Isa isa = bestIsa();
 };
 
@@ -37,19 +34,20 @@ struct GeometryStatistics {
   std::size_t clusters = 0;
   std::size_t bytes = 0;  ///< clusters, hierarchies and records for points; without the description
   double buildSeconds = 0.0;
+  AccelPlan accel;  ///< which code intersects rays with the primitives
 
   std::size_t primitives() const { return spheres + quads + boxes + disks + triangles + custom; }
 };
 
 /// Immutable; queries from any number of threads at once. Render tasks hold a FlushDenormals (core/base/float_mode.h)
 /// while they ask. Same bits for any number of threads; for scenes without instances and native triangles also for any
-/// layout: of equally near hits the smaller (shape, primitive) wins. What moves is met where it is at the ray's time;
-/// a shape that moves by itself is still placed directly, and its hits have no instance.
+/// acceleration structure: of equally near hits the smaller (shape, primitive) wins. What moves is hit where it is at
+/// the ray's time; a shape that moves by itself is still placed directly, and its hits have no instance.
 class Geometry {
  public:
   /// Builds with the threads of the caller's arena. The description must be valid (see validate) and is kept: surface
-  /// points are computed from it. Throws Error: an instruction set that is not usable, singular transforms, custom
-  /// shapes without finite bounds, no memory.
+  /// points are computed from it. Throws Error: an instruction set that is not usable, an acceleration structure that
+  /// the scene cannot have (see planAccel), singular transforms, custom shapes without finite bounds, no memory.
   explicit Geometry(std::shared_ptr<const SceneDescription> scene, GeometrySettings settings = {});
   ~Geometry();
   Geometry(Geometry&&) noexcept;
@@ -59,23 +57,40 @@ class Geometry {
   Hit<float> intersect(const Ray<float>& ray) const { return isUsable(ray) ? intersectUsable(ray) : Hit<float>{}; }
   /// Is anything hit with tMin < t < tMax?
   bool occluded(const Ray<float>& ray) const { return isUsable(ray) && occludedUsable(ray); }
-  /// The same for a ray that is known to be usable (see isUsable()).
-  Hit<float> intersectUsable(const Ray<float>& ray) const;
-  bool occludedUsable(const Ray<float>& ray) const;
+  /// The same for a ray that is known to be usable (see isUsable()). `counts`: what Embree does is added to it.
+  Hit<float> intersectUsable(const Ray<float>& ray, EmbreeCounts* counts = nullptr) const;
+  bool occludedUsable(const Ray<float>& ray, EmbreeCounts* counts = nullptr) const;
+  /// The nearest hits of up to 8 usable rays: with Accel::Embree as one of its packets, otherwise one after the other.
+  void intersectPacket(std::span<const Ray<float>> rays, std::span<Hit<float>> hits,
+                       EmbreeCounts* counts = nullptr) const;
   /// The point that this ray hit; `hit` must come from intersect() with the same ray. Invalid for a miss.
   SurfacePoint<float> surfacePoint(const Ray<float>& ray, const Hit<float>& hit) const;
 
-  /// For several rays at once: the few primitives of a small scene that has records; otherwise null.
+  // For several rays at once (surface_points.h finds their points).
+
+  /// With Accel::Flat the few primitives that are in clusters, placed directly and at rest; otherwise null.
   const FlatPrimitives* flat() const;
-  /// Whether there is a record for whatever is hit: no instances, native triangles, shapes with a motion, or kinds
-  /// without (see haveRecords()). And whether points by records can have uv.
-  bool hasRecords() const;
-  bool recordsKnowUv() const;
-  /// What the points on the primitive that was hit need; `hit` as for surfacePoint(), and valid. Needs hasRecords().
-  void fillRecord(PointRecord& record, const Hit<float>& hit) const;
-  /// All records, by Hit::place, in scenes of at most 65536 primitives; empty in others. With kNone for a shape where
-  /// there is no primitive.
+  /// Besides flat() there is what Embree traverses: the nearest hit of either, and whether it occludes. `best`: that of
+  /// flat(), if valid.
+  Hit<float> intersectBesideFlat(const Ray<float>& ray, const Hit<float>& best, EmbreeCounts* counts) const;
+  bool occludedBesideFlat(const Ray<float>& ray, EmbreeCounts* counts) const;
+  /// Whether every hit is on a primitive that is placed directly, at rest and in a cluster, and has all that a point
+  /// needs (uv too, if it is wanted) in the record by its Hit::place.
+  bool recordsByPlace(bool withUv) const;
+  /// Those records, by Hit::place, in scenes of at most 65536 primitives; empty in others, where fillRecord() makes
+  /// them. With kNone for a shape where there is no primitive.
   std::span<const PointRecord> keptRecords() const;
+  /// The record of the primitive that was hit, in its own space; null if it is not kept. `hit`: as for surfacePoint(),
+  /// and valid.
+  const PointRecord* keptRecord(const Hit<float>& hit) const;
+  /// Makes it; false for custom shapes, which have none.
+  bool fillRecord(PointRecord& record, const Hit<float>& hit) const;
+  /// How the primitive's own space lies in the world.
+  enum class Placement { Direct, Transformed, TransformedTwice };
+  /// Sets both matrices if it is Transformed: by an instance, or by a motion of the shape. Twice: by both.
+  Placement placementOf(const Hit<float>& hit, float time, Matrix& localToWorld, Matrix& worldToLocal) const;
+  /// The mesh that was hit, if it has normals or uv of its own; otherwise null.
+  const TriangleMesh* vertexData(const Hit<float>& hit) const;
 
   /// Bounds of all surfaces in the world; empty for a scene without.
   Bounds3 bounds() const;

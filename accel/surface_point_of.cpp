@@ -63,16 +63,7 @@ struct LocalPoint {
 
   SurfacePoint<float> operator()(const TriangleMesh& mesh) const {
     SurfacePoint<float> point = (*this)(triangleAt(mesh, hit.primitive));
-    const float u = point.uv.x, v = point.uv.y, w = 1.0f - u - v;
-    const std::uint32_t* corner = &mesh.indices[3 * std::size_t{hit.primitive}];
-    if (!mesh.uvs.empty()) {
-      const Vec2f a = mesh.uvs[corner[0]], b = mesh.uvs[corner[1]], c = mesh.uvs[corner[2]];
-      point.uv = {a.x * w + b.x * u + c.x * v, a.y * w + b.y * u + c.y * v};
-    }
-    if (!mesh.normals.empty()) {
-      const Vec3f n = mesh.normals[corner[0]] * w + mesh.normals[corner[1]] * u + mesh.normals[corner[2]] * v;
-      if (lengthSquared(n) > 0.0f) point.shadingNormal = faceForward(normalize(n), point.geometricNormal);
-    }
+    addVertexData(mesh, hit.primitive, point);
     return point;
   }
 
@@ -86,21 +77,6 @@ struct LocalPoint {
   }
 };
 
-/// |m| |p| + |translation|: what the rounding errors of transformPoint scale with.
-Vec3f magnitudes(const Matrix& m, Vec3f p) {
-  const auto component = [&](int j) {
-    return absolute(m[0][j] * p.x) + absolute(m[1][j] * p.y) + absolute(m[2][j] * p.z) + absolute(m[3][j]);
-  };
-  return {component(0), component(1), component(2)};
-}
-
-Vec3f spread(const Matrix& m, Vec3f error) {
-  const auto component = [&](int j) {
-    return absolute(m[0][j]) * error.x + absolute(m[1][j]) * error.y + absolute(m[2][j]) * error.z;
-  };
-  return {component(0), component(1), component(2)};
-}
-
 }  // namespace
 
 SurfacePoint<float> localSurfacePoint(const ShapeDescription& shape, const Ray<float>& ray, const Hit<float>& hit) {
@@ -111,23 +87,17 @@ SurfacePoint<float> localSurfacePoint(const LeafShape& shape, const Ray<float>& 
   return std::visit(LocalPoint{ray, hit}, shape);
 }
 
-SurfacePoint<float> transformed(const SurfacePoint<float>& local, const Matrix& localToWorld, const Matrix& inverse) {
-  SurfacePoint<float> world = local;
-  world.position = transformPoint(localToWorld, local.position);
-  // The way here, and the way back that the next query takes with an inverse rounded by itself.
-  const Vec3f back = magnitudes(inverse, world.position) * kReachError;
-  world.positionError =
-      spread(localToWorld, local.positionError + back) + magnitudes(localToWorld, local.position) * kPlaceError;
-  world.geometricNormal = normalize(transformNormal(inverse, local.geometricNormal));
-  world.shadingNormal = faceForward(normalize(transformNormal(inverse, local.shadingNormal)), world.geometricNormal);
-  return world;
-}
-
-Ray<float> transformed(const Ray<float>& ray, const Matrix& matrix) {
-  Ray<float> local = ray;
-  local.origin = transformPoint(matrix, ray.origin);
-  local.direction = transformVector(matrix, ray.direction);
-  return local;
+void addVertexData(const TriangleMesh& mesh, std::uint32_t triangle, SurfacePoint<float>& point) {
+  const float u = point.uv.x, v = point.uv.y, w = 1.0f - u - v;
+  const std::uint32_t* corner = &mesh.indices[3 * std::size_t{triangle}];
+  if (!mesh.uvs.empty()) {
+    const Vec2f a = mesh.uvs[corner[0]], b = mesh.uvs[corner[1]], c = mesh.uvs[corner[2]];
+    point.uv = {a.x * w + b.x * u + c.x * v, a.y * w + b.y * u + c.y * v};
+  }
+  if (!mesh.normals.empty()) {
+    const Vec3f n = mesh.normals[corner[0]] * w + mesh.normals[corner[1]] * u + mesh.normals[corner[2]] * v;
+    if (lengthSquared(n) > 0.0f) point.shadingNormal = faceForward(normalize(n), point.geometricNormal);
+  }
 }
 
 }  // namespace steradian

@@ -1,6 +1,6 @@
 #pragma once
-/// Where exactly a ray met a primitive: from the nearest hit to a point with normals, parameters and error bounds.
-#include "steradian/accel/shapes/clusters/cluster_set.h"
+/// Where exactly a ray hit a primitive: from the nearest hit to a point with normals, parameters and error bounds.
+#include "steradian/accel/shapes/clusters/leaf_kinds.h"
 #include "steradian/core/math/ray.h"
 #include "steradian/core/scene/description.h"
 #include "steradian/core/transport/surface_point.h"
@@ -9,7 +9,7 @@ namespace steradian {
 
 /// The point in the shape's own space: position on the surface, its error, normals, uv; no ids. `ray` is in that space.
 /// The error covers the position's rounding and that of the next query from there, so that rays spawned by
-/// core/transport/ray_offset.h do not meet the primitive they leave.
+/// core/transport/ray_offset.h do not hit the primitive they leave.
 ///
 /// uv: sphere as in "The Next Week", 4.4; quad and box along the edges, box faces as in 8.1 there; disk: angle about
 /// the normal over 2 pi, and distance from the centre over the radius; mesh: its own, or barycentric; custom: the
@@ -19,10 +19,8 @@ SurfacePoint<float> localSurfacePoint(const ShapeDescription& shape, const Ray<f
 /// The same for a primitive that is at hand.
 SurfacePoint<float> localSurfacePoint(const LeafShape& shape, const Ray<float>& ray, const Hit<float>& hit);
 
-/// A point of an instance's space in the world. `inverse` is the inverse of `localToWorld`.
-SurfacePoint<float> transformed(const SurfacePoint<float>& local, const Matrix& localToWorld, const Matrix& inverse);
-
-/// The ray in an instance's space; its direction is not normalised, so that t means the same.
-Ray<float> transformed(const Ray<float>& ray, const Matrix& matrix);
+/// What a mesh has for its vertices, at the point of one of its triangles: in `point` uv is barycentric, and becomes
+/// that of the mesh; the shading normal is interpolated. Both in the mesh's own space.
+void addVertexData(const TriangleMesh& mesh, std::uint32_t triangle, SurfacePoint<float>& point);
 
 }  // namespace steradian

@@ -89,14 +89,14 @@ void registerLeaf(const std::string& name) {
     const std::vector<Ray<float>> rays = raysAtCube();
     measureRays(state, kInputs, [&](std::size_t i) {
       LeafHit best;
-      meetNearest(cluster, 0, broadcastRay<LeafLanes>(rays[i]), kNone, best);
+      intersectCluster(cluster, 0, broadcastRay<LeafLanes>(rays[i]), kNone, best);
       return best;
     });
   });
   benchmark::RegisterBenchmark(("leaf/" + name + "/any").c_str(), [](benchmark::State& state) {
     const Cluster<Leaf> cluster = fullCluster<Leaf>();
     const std::vector<Ray<float>> rays = raysAtCube();
-    measureRays(state, kInputs, [&](std::size_t i) { return meetAny(cluster, broadcastRay<LeafLanes>(rays[i])); });
+    measureRays(state, kInputs, [&](std::size_t i) { return clusterOccludes(cluster, broadcastRay<LeafLanes>(rays[i])); });
   });
 }
 

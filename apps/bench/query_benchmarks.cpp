@@ -84,7 +84,7 @@ void measureLayout(benchmark::State& state, std::uint32_t clusters, bool hierarc
   for (std::uint32_t i = 0; i < 4096; ++i) {
     rays.push_back({point(i, 4), UniformSphere<float>::sample({number(i, 7), number(i, 8)})});
   }
-  const Geometry geometry(scene, {.mostWithoutTree = hierarchy ? 0 : clusters});
+  const Geometry geometry(scene, {.accel = {.maxClustersWithoutTree = hierarchy ? 0 : clusters}});
   measureRays(state, rays.size(), [&](std::size_t i) { return geometry.intersect(rays[i]); });
 }
 

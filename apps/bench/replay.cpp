@@ -54,13 +54,13 @@ class Packet {
 };
 
 std::uint64_t countHits(const FlatPrimitives& primitives, std::span<const RecordedRay> rays) {
-  Packet nearest([&](const Ray<F>& r, Active active) { return primitives.nearest(r, active).valid; });
-  Packet any([&](const Ray<F>& r, Active active) { return primitives.any(r, active); });
+  Packet nearest([&](const Ray<F>& r, Active active) { return primitives.intersect(r, active).valid; });
+  Packet occluded([&](const Ray<F>& r, Active active) { return primitives.occluded(r, active); });
   std::uint64_t hits = 0;
   for (const RecordedRay& recorded : rays) {
-    hits += recorded.kind == RayKind::Shadow ? any.add(recorded.ray) : nearest.add(recorded.ray);
+    hits += recorded.kind == RayKind::Shadow ? occluded.add(recorded.ray) : nearest.add(recorded.ray);
   }
-  return hits + nearest.flush() + any.flush();
+  return hits + nearest.flush() + occluded.flush();
 }
 
 }  // namespace

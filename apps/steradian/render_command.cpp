@@ -97,8 +97,9 @@ int runRender(const RenderTexts& texts, Arguments& arguments) {
   const auto buildStart = std::chrono::steady_clock::now();
   std::unique_ptr<const Scene> scene;
   arena.execute([&] {
-    scene = std::make_unique<Scene>(std::move(options.scene),
-                                    SceneSettings{.geometry = {.isa = options.isa}, .lights = {}});
+    scene = std::make_unique<Scene>(
+        std::move(options.scene),
+        SceneSettings{.geometry = {.accel = {.accel = options.accel}, .isa = options.isa}, .lights = {}});
   });
   Phases phases{.buildSeconds = secondsSince(buildStart)};
   if (options.verbose) printErr(fmt::format("{}: {}\n", name, geometrySummary(scene->geometry().statistics())));

@@ -263,6 +263,10 @@ void declareRenderOptions(CLI::App& command, RenderTexts& texts) {
   option(
       "--isa", texts.isa, "NAME",
       "instruction set: baseline, avx2 or avx512 (default: the\nwidest of the processor); never changes the picture");
+  option(
+      "--accel", texts.accel, "NAME",
+      "what intersects rays: auto (default), flat (each of at most 64\nprimitives in turn), bvh8 (our own hierarchy) "
+      "or embree; never\nchanges the picture, but for meshes in the last bits");
   option("--crop", texts.crop, "x0,x1,y0,y1", "render only these pixels; y counts from the top");
   option("--sampler", texts.sampler, "NAME",
          "independent, stratified, halton, sobol (default),\nsobol-full, blue-noise or pmj02; stratified and\n"
@@ -289,6 +293,7 @@ RenderOptions checkRenderOptions(const RenderTexts& texts, Arguments& arguments)
   options.replay = replayOptions(texts, options.integrator);
   collect(arguments, [&] { makeIntegrator(options.integrator); });
   if (texts.threads) options.threads = static_cast<int>(arguments.whole("--threads", *texts.threads, 1, kMaxThreads));
+  if (texts.accel) collect(arguments, [&] { options.accel = accelOf(*texts.accel); });
   if (texts.isa) {
     collect(arguments, [&] {
       options.isa = isaOf(*texts.isa);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "steradian/accel/accel.h"
 #include "steradian/apps/steradian/arguments.h"
 #include "steradian/core/base/isa.h"
 #include "steradian/core/colour/display.h"
@@ -24,7 +25,7 @@ struct RenderTexts {
   std::vector<std::string> outputs;
   std::optional<std::string> size, samples, time, seed, threads, crop, tileSize;
   std::optional<std::string> sampler, filter, replicates;
-  std::optional<std::string> integrator, strategy, maxDepth, targets, reuse, pathWidth, isa;
+  std::optional<std::string> integrator, strategy, maxDepth, targets, reuse, pathWidth, isa, accel;
   std::optional<std::string> texture, sky;
   std::optional<std::string> format, display, view, exposure;
   std::optional<std::string> statistics;
@@ -45,6 +46,7 @@ struct RenderOptions {
   std::string integrator;  ///< a complete spec
   std::string replay;      ///< the options, as typed, that choose the samples of a pixel
   Isa isa = bestIsa();
+  Accel accel = Accel::Auto;
   int threads = 0;                 ///< 0: all processors
   std::optional<Display> display;  ///< if an output is display-referred
   DisplaySettings view;            ///< of display-referred outputs

@@ -36,6 +36,8 @@ json statisticsJson(const std::string& sceneName, int threads, const Scene& scen
   out["passes"] = s.passes;
   out["rays"] = {{"camera", s.paths.cameraRays}, {"bounce", s.paths.bounceRays}, {"shadow", s.paths.shadowRays}};
   out["path_lengths"] = lengths;
+  out["accel"] = nameOf(geometry.accel.accel);
+  out["embree"] = {{"rays", s.paths.embree.rays}, {"callbacks", s.paths.embree.callbacks}};
   out["primitives"] = geometry.primitives();
   out["clusters"] = geometry.clusters;
   out["bytes"] = {{"geometry", geometry.bytes}, {"film_per_pixel", Film::bytesPerPixel(result.settings.replicates)}};
@@ -56,6 +58,8 @@ std::string asText(const json& j) {
   text += fmt::format("rays             {:.0f} ({:.3f} M/s): camera {}, bounce {}, shadow {}\n", rays,
                       rays / seconds / 1e6, j["rays"]["camera"].get<std::uint64_t>(),
                       j["rays"]["bounce"].get<std::uint64_t>(), j["rays"]["shadow"].get<std::uint64_t>());
+  text += fmt::format("accel            {}; by Embree {} rays, {} callbacks\n", j["accel"].get<std::string>(),
+                      j["embree"]["rays"].get<std::uint64_t>(), j["embree"]["callbacks"].get<std::uint64_t>());
   text += fmt::format("geometry         {} clusters, {} bytes\n", j["clusters"].get<std::uint64_t>(),
                       j["bytes"]["geometry"].get<std::uint64_t>());
   return text + fmt::format("non-finite       {}\n", j["non_finite_samples"].get<std::uint64_t>());
@@ -64,8 +68,9 @@ std::string asText(const json& j) {
 }  // namespace
 
 std::string geometrySummary(const GeometryStatistics& s) {
-  return fmt::format("{} primitives, {} instances, {} clusters, {:.1f} MiB, built in {:.3f} s", s.primitives(),
-                     s.instances, s.clusters, static_cast<double>(s.bytes) / (1024.0 * 1024.0), s.buildSeconds);
+  return fmt::format("{} primitives, {} instances, {} clusters, {:.1f} MiB, built in {:.3f} s, traced by {}",
+                     s.primitives(), s.instances, s.clusters, static_cast<double>(s.bytes) / (1024.0 * 1024.0),
+                     s.buildSeconds, describe(s.accel));
 }
 
 void printStatistics(StatisticsFormat format, const std::string& sceneName, int threads, const Scene& scene,

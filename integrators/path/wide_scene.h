@@ -7,14 +7,14 @@
 #include <vector>
 
 #include "steradian/accel/shapes/clusters/flat_primitives.h"
+#include "steradian/accel/surface_points.h"
 #include "steradian/integrators/scene/scene.h"
 #include "steradian/materials/material_table.h"
 
 namespace steradian {
 
-/// Answers are those of Scene, lane by lane and to the bit. The few primitives of small scenes are met with all lanes
-/// at once; larger scenes are asked ray by ray, and points are found with all lanes unless there are instances or
-/// motion.
+/// Answers are those of Scene, lane by lane and to the bit. The few primitives of small scenes are tested against all
+/// lanes at once; larger scenes are asked ray by ray. Surface points are found with all lanes.
 class WideScene {
  public:
   /// The scene must outlive this.
@@ -23,7 +23,8 @@ class WideScene {
         flat_(scene.geometry().flat()),
         materials_(scene.materials()),
         records_(scene.geometry().keptRecords()),
-        usesRecords_(scene.geometry().hasRecords() && (scene.geometry().recordsKnowUv() || !materials_.readsUv())),
+        recordsByPlace_(scene.geometry().recordsByPlace(materials_.readsUv())),
+        besideFlat_(scene.geometry().statistics().accel.needsEmbree()),
         hasSky_(scene.lights().hasSky()) {
     for (const PointRecord& record : records_) keptKinds_ |= record.shape != kNone ? bitOf(record) : 0u;
     for (const ShapeDescription& shape : scene.description().shapes)
@@ -34,12 +35,13 @@ class WideScene {
   const Scene& scene() const { return *scene_; }
   const MaterialTable& materials() const { return materials_; }
 
-  /// The points that the active rays meet first; others, and those of rays that meet nothing, are not valid.
+  /// The nearest points that the active rays hit; others, and those of rays that hit nothing, are not valid. What
+  /// Embree does is added to `counts`, if there are any.
   template <class F>
-  SurfacePoint<F> intersect(const Ray<F>& ray, MaskOf<F> active) const;
-  /// Which of the active rays meet anything.
+  SurfacePoint<F> intersect(const Ray<F>& ray, MaskOf<F> active, EmbreeCounts* counts = nullptr) const;
+  /// Which of the active rays hit anything.
   template <class F>
-  MaskOf<F> occluded(const Ray<F>& ray, MaskOf<F> active) const;
+  MaskOf<F> occluded(const Ray<F>& ray, MaskOf<F> active, EmbreeCounts* counts = nullptr) const;
   /// Which of the active rays find light where they end.
   template <class F>
   MaskOf<F> findsLight(const SurfacePoint<F>& point, MaskOf<F> active) const {
@@ -49,12 +51,18 @@ class WideScene {
   }
 
  private:
+  /// Where some of what may be hit is not among the records by place.
+  template <class F>
+  [[gnu::noinline]] SurfacePoint<F> intersectAny(const Ray<F>& ray, MaskOf<F> usable, bool withUv,
+                                                 EmbreeCounts* counts) const;
+
   const Scene* scene_;
   const FlatPrimitives* flat_;
   MaterialTable materials_;
-  std::span<const PointRecord> records_;  ///< all, or none
+  std::span<const PointRecord> records_;  ///< those that are kept
   PointKinds keptKinds_ = 0;              ///< of them
-  bool usesRecords_;                      ///< for points
+  bool recordsByPlace_;                   ///< see Geometry::recordsByPlace
+  bool besideFlat_;                       ///< Embree has something to traverse besides what is flat
   std::vector<std::uint32_t> emits_;      ///< per shape
   bool hasSky_;
 };
@@ -81,30 +89,24 @@ class SingleRays {
 }  // namespace detail
 
 template <class F>
-SurfacePoint<F> WideScene::intersect(const Ray<F>& ray, MaskOf<F> active) const {
+SurfacePoint<F> WideScene::intersect(const Ray<F>& ray, MaskOf<F> active, EmbreeCounts* counts) const {
   const Geometry& geometry = scene_->geometry();
   const bool withUv = materials_.readsUv();
   const MaskOf<F> usable = active & isUsable(ray);
-  if (usesRecords_ && flat_ != nullptr) {
-    return flat_->surfacePoint(ray, withUv ? flat_->nearest<F, true>(ray, usable) : flat_->nearest(ray, usable),
+  if (flat_ != nullptr && !besideFlat_) {
+    return flat_->surfacePoint(ray, withUv ? flat_->intersect<F, true>(ray, usable) : flat_->intersect(ray, usable),
                                withUv);
   }
+  if (!recordsByPlace_) return intersectAny(ray, usable, withUv, counts);
   const detail::SingleRays<F> rays(ray);
-  if (!usesRecords_) {
-    SurfacePoint<F> points;
-    for (std::uint32_t left = laneBits(usable); left != 0; left &= left - 1) {
-      const int i = std::countr_zero(left);
-      setLane(points, i, geometry.surfacePoint(rays[i], geometry.intersectUsable(rays[i])));
-    }
-    return points;
-  }
   RecordHit<F> hits;
+  hits.parametersKnown = true;
   PointRecord filled[widthOf<F>];
   std::uint32_t count = 0;
   PointKinds kinds = 0;
   for (std::uint32_t left = laneBits(usable); left != 0; left &= left - 1) {
     const int i = std::countr_zero(left);
-    const Hit<float> hit = geometry.intersectUsable(rays[i]);
+    const Hit<float> hit = geometry.intersectUsable(rays[i], counts);
     if (!hit.valid) continue;
     setLane(hits.valid, i, true);
     setLane(hits.t, i, hit.t);
@@ -123,14 +125,50 @@ SurfacePoint<F> WideScene::intersect(const Ray<F>& ray, MaskOf<F> active) const 
 }
 
 template <class F>
-MaskOf<F> WideScene::occluded(const Ray<F>& ray, MaskOf<F> active) const {
-  const MaskOf<F> usable = active & isUsable(ray);
-  if (flat_ != nullptr) return flat_->any(ray, usable);
+SurfacePoint<F> WideScene::intersectAny(const Ray<F>& ray, MaskOf<F> usable, bool withUv, EmbreeCounts* counts) const {
+  const Geometry& geometry = scene_->geometry();
   const detail::SingleRays<F> rays(ray);
-  MaskOf<F> hit(false);
+  SurfacePoints<F> points(geometry, withUv);
+  RecordHit<F> flat;
+  if (flat_ != nullptr) flat = flat_->intersect<F, true>(ray, usable);
   for (std::uint32_t left = laneBits(usable); left != 0; left &= left - 1) {
     const int i = std::countr_zero(left);
-    if (scene_->geometry().occludedUsable(rays[i])) setLane(hit, i, true);
+    const Ray<float> one = rays[i];
+    if (flat_ == nullptr) {
+      const Hit<float> hit = geometry.intersectUsable(one, counts);
+      if (hit.valid) points.add(i, one, hit);
+      continue;
+    }
+    Hit<float> best;
+    const PointRecord* record = nullptr;
+    if (lane(flat.valid, i)) {
+      record = &flat_->records()[lane(flat.record, i)];
+      best = {true, lane(flat.t, i), lane(flat.u, i), lane(flat.v, i), record->shape, record->primitive};
+    }
+    if (besideFlat_) {
+      const Hit<float> hit = geometry.intersectBesideFlat(one, best, counts);
+      if (hit.shape != best.shape || hit.primitive != best.primitive || hit.instance != best.instance) record = nullptr;
+      best = hit;
+    }
+    if (best.valid) points.add(i, one, best, record);
+  }
+  return points.find(ray);
+}
+
+template <class F>
+MaskOf<F> WideScene::occluded(const Ray<F>& ray, MaskOf<F> active, EmbreeCounts* counts) const {
+  const MaskOf<F> usable = active & isUsable(ray);
+  MaskOf<F> hit(false);
+  if (flat_ != nullptr) {
+    hit = flat_->occluded(ray, usable);
+    if (!besideFlat_) return hit;
+  }
+  const detail::SingleRays<F> rays(ray);
+  for (std::uint32_t left = laneBits(usable & !hit); left != 0; left &= left - 1) {
+    const int i = std::countr_zero(left);
+    const bool occluded = flat_ != nullptr ? scene_->geometry().occludedBesideFlat(rays[i], counts)
+                                           : scene_->geometry().occludedUsable(rays[i], counts);
+    if (occluded) setLane(hit, i, true);
   }
   return hit;
 }

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "steradian/accel/query_counts.h"
+
 namespace steradian {
 
 /// Rays and paths. Each tile counts for itself; sums do not depend on the order.
@@ -16,6 +18,7 @@ struct PathCounts {
   std::uint64_t bounceRays = 0;                       ///< all other closest-hit queries
   std::uint64_t shadowRays = 0;                       ///< any-hit queries
   std::array<std::uint64_t, kLengths> pathLengths{};  ///< paths by their number of bounces
+  EmbreeCounts embree;                                ///< what of the rays Embree traced
 
   void countPath(std::uint32_t bounces) {
     ++cameraRays;
@@ -26,6 +29,7 @@ struct PathCounts {
     cameraRays += other.cameraRays;
     bounceRays += other.bounceRays;
     shadowRays += other.shadowRays;
+    embree += other.embree;
     for (std::size_t i = 0; i < kLengths; ++i) pathLengths[i] += other.pathLengths[i];
     return *this;
   }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "steradian/accel/shapes/clusters/cluster_builder.h"
 #include "steradian/tests/accel/random_scene.h"
 
 namespace steradian::test {
@@ -89,9 +90,9 @@ TEST(EmbreeTree, ThingsInOnePlaceMakeNoTreeTooDeep) {
 
 ClusterSet withTree(const SceneDescription& scene, std::span<const Id> shapes) {
   const embree::Device device;
-  ClusterSet set(scene, shapes);
-  set.setTree(embree::buildTree(device, set.clusterBounds(), 1e-5f));
-  return set;
+  BuiltClusters built = buildClusters(scene, shapes);
+  built.clusters.tree = embree::buildTree(device, built.bounds, 1e-5f);
+  return {std::move(built.clusters), bestIsa()};
 }
 
 void expectSame(const LeafHit& hit, const LeafHit& expected) {
@@ -119,7 +120,7 @@ void expectATreeChangesNoHit(int many) {
   for (int i = 0; i < 40; ++i) walls.add(random.point(4.0f), {0.3f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.4f});
   const std::vector<Id> shapes{scene.addShape("balls", balls, kNone), scene.addShape("boxes", boxes, kNone),
                                scene.addShape("walls", walls, kNone), scene.addShape("rising", rising, kNone)};
-  const ClusterSet all(scene, shapes), tree = withTree(scene, shapes);
+  const ClusterSet all(buildClusters(scene, shapes).clusters, bestIsa()), tree = withTree(scene, shapes);
   EXPECT_GT(tree.bytes(), all.bytes());
   int hits = 0;
   for (int i = 0; i < 20000; ++i) {
@@ -129,14 +130,14 @@ void expectATreeChangesNoHit(int many) {
     if (i % 5 == 0) ray.direction.y = 0.0f;
     ray.time = random.uniform(0.0f, 0.99f);
     LeafHit expected, hit;
-    all.nearest(ray, kNone, expected);
-    tree.nearest(ray, kNone, hit);
+    all.intersect(ray, kNone, expected);
+    tree.intersect(ray, kNone, hit);
     ASSERT_NO_FATAL_FAILURE(expectSame(hit, expected));
-    ASSERT_EQ(tree.any(ray), all.any(ray));
+    ASSERT_EQ(tree.occluded(ray), all.occluded(ray));
     // With a hit found elsewhere before.
     LeafHit before{random.uniform(1.0f, 8.0f), 0.5f, 0.5f, 2, 7, kNone}, alsoBefore = before;
-    all.nearest(ray, kNone, before);
-    tree.nearest(ray, kNone, alsoBefore);
+    all.intersect(ray, kNone, before);
+    tree.intersect(ray, kNone, alsoBefore);
     ASSERT_NO_FATAL_FAILURE(expectSame(alsoBefore, before));
     hits += hit.found();
   }
@@ -161,7 +162,7 @@ TEST(EmbreeTree, EquallyNearHitsGoToTheSmallestId) {
   for (int i = 0; i < 100; ++i) {
     const Vec3f from = random.direction() + Vec3f{0.0f, 0.0f, 3.0f};
     LeafHit hit;
-    tree.nearest({from, normalize(Vec3f{0.0f, 0.0f, 0.05f} - from)}, kNone, hit);
+    tree.intersect({from, normalize(Vec3f{0.0f, 0.0f, 0.05f} - from)}, kNone, hit);
     ASSERT_TRUE(hit.found());
     ASSERT_EQ(hit.shape, 0u);
     ASSERT_EQ(hit.primitive, 0u);

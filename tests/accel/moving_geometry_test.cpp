@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "steradian/accel/geometry.h"
-#include "steradian/accel/surface_point_of.h"
+#include "steradian/accel/transformed_point.h"
 #include "steradian/core/base/diagnostics.h"
 #include "steradian/core/math/motion.h"
 #include "steradian/tests/accel/leaving_rays.h"
@@ -133,7 +133,8 @@ TEST(MovingGeometry, ShapesMoveByThemselves) {
   }
   const auto shared = std::make_shared<SceneDescription>(scene);
   const std::vector<Geometry> shapes = alone(scene, direct());
-  for (const GeometrySettings& settings : {direct(), hierarchy(), GeometrySettings{.clusteredTriangles = kAlways}}) {
+  for (const GeometrySettings& settings :
+       {direct(), hierarchy(), GeometrySettings{.accel = {.maxClusteredTriangles = kAlways}}, embreeHierarchy()}) {
     expectLoop(Geometry(shared, settings), all, shapes, 5);
   }
 }
@@ -161,7 +162,8 @@ TEST(MovingGeometry, InstancesMoveWithWhatIsInThem) {
   }
   const auto shared = std::make_shared<SceneDescription>(scene);
   const std::vector<Geometry> shapes = alone(scene, direct());
-  for (const GeometrySettings& settings : {direct(), hierarchy(), GeometrySettings{.clusteredTriangles = kAlways}}) {
+  for (const GeometrySettings& settings :
+       {direct(), hierarchy(), GeometrySettings{.accel = {.maxClusteredTriangles = kAlways}}, embreeHierarchy()}) {
     expectLoop(Geometry(shared, settings), all, shapes, 8);
   }
 }
@@ -194,7 +196,8 @@ TEST(MovingGeometry, IsTheStillSceneOfEachTime) {
     scene.instances.push_back({group, {randomKey(random, 3.0f)}, {randomKey(random, 3.0f)}, {}});
   }
   for (const std::size_t clustered : {std::size_t{0}, std::size_t{100000}}) {
-    const GeometrySettings settings{.mostWithoutTree = clustered == 0 ? 0u : 64u, .clusteredTriangles = clustered};
+    const GeometrySettings settings{
+        .accel = {.maxClustersWithoutTree = clustered == 0 ? 0u : 64u, .maxClusteredTriangles = clustered}};
     const Geometry moving(std::make_shared<SceneDescription>(scene), settings);
     int hits = 0, differ = 0;
     for (const float time : {0.0f, 0.3f, 0.77f, kOneMinusEpsilon}) {
@@ -222,7 +225,7 @@ TEST(MovingGeometry, IsTheStillSceneOfEachTime) {
   }
 }
 
-TEST(MovingGeometry, OfCopiesInOnePlaceTheFirstIsMet) {
+TEST(MovingGeometry, OfCopiesInOnePlaceTheFirstIsHit) {
   SceneDescription scene = randomScene(12, 30);
   Random random(13);
   scene.groups = {{"all", {0, 1, 2, 3, 4, 5, 6}}};
@@ -325,7 +328,9 @@ TEST_P(LeavingRaysInMotion, DoNotMeetTheSurfaceTheyLeave) {
       const SceneDescription moving = movingShape(kind, round % 3, random, place, size);
       const float time = random.uniform(0.0f, kOneMinusEpsilon);
       const Geometry geometry(std::make_shared<SceneDescription>(moving),
-                              {.mostWithoutTree = round % 2 ? 0u : 64u, .clusteredTriangles = round % 4 ? 100u : 0u});
+                              {.accel = {.accel = round % 3 ? Accel::Auto : Accel::Embree,
+                                         .maxClustersWithoutTree = round % 2 ? 0u : 64u,
+                                         .maxClusteredTriangles = round % 4 ? 100u : 0u}});
       // Where it is then.
       const Geometry still(std::make_shared<SceneDescription>(frozen(moving, time)));
       leaveBy(geometry, isClosed(kind), random, size, leaks, time, still.bounds());

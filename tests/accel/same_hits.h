@@ -9,9 +9,18 @@ namespace steradian::test {
 inline constexpr std::uint32_t kAlways = 0xffffffffu;
 
 /// A loop over everything, without a hierarchy.
-inline GeometrySettings direct() { return {.mostWithoutTree = kAlways, .clusteredTriangles = kAlways}; }
-/// A hierarchy over anything.
-inline GeometrySettings hierarchy() { return {.mostWithoutTree = 0, .clusteredTriangles = kAlways}; }
+inline GeometrySettings direct() {
+  return {.accel = {.maxClustersWithoutTree = kAlways, .maxClusteredTriangles = kAlways}};
+}
+/// Our hierarchy over anything.
+inline GeometrySettings hierarchy() {
+  return {.accel = {.maxClustersWithoutTree = 0, .maxClusteredTriangles = kAlways}};
+}
+
+/// Embree's hierarchy over anything.
+inline GeometrySettings embreeHierarchy() {
+  return {.accel = {.accel = Accel::Embree, .maxClusteredTriangles = kAlways}};
+}
 
 /// To the bit.
 inline void expectSame(const Hit<float>& a, const Hit<float>& b) {

@@ -159,7 +159,8 @@ TEST_P(LeavingRays, DoNotMeetTheSurfaceTheyLeave) {
       for (int round = 0; round < (clustered ? 120 : 30); ++round) {
         SceneDescription scene;
         scene.addShape("shape", randomShape(kind, random, place, size), 0);
-        const Geometry geometry(std::make_shared<SceneDescription>(scene), {.clusteredTriangles = clustered});
+        const Geometry geometry(std::make_shared<SceneDescription>(scene),
+                                {.accel = {.maxClusteredTriangles = clustered}});
         leaveBy(geometry, isClosed(kind), random, size, leaks);
       }
       EXPECT_GT(leaks.points, 200) << kind;
@@ -181,7 +182,8 @@ TEST_P(LeavingRays, DoNotMeetTheInstanceTheyLeave) {
       scene.groups = {{"group", {0}}};
       const Vec3f scales = Vec3f{random.uniform(0.5f, 1.5f), random.uniform(0.5f, 1.5f), random.uniform(-1.5f, -0.5f)};
       scene.instances = {{0, {transformOf(random.point(3.0f), scales * scale, random.point(place))}, {}}};
-      const Geometry geometry(std::make_shared<SceneDescription>(scene), {.clusteredTriangles = round % 2 ? 0u : 100u});
+      const Geometry geometry(std::make_shared<SceneDescription>(scene),
+                              {.accel = {.maxClusteredTriangles = round % 2 ? 0u : 100u}});
       leaveBy(geometry, isClosed(kind), random, size, leaks);
     }
     EXPECT_GT(leaks.points, 100) << kind;

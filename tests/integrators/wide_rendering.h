@@ -19,7 +19,7 @@ SceneDescription colouredRoom();
 SceneDescription openScene();
 
 /// However many clusters there are, without a hierarchy.
-inline const SceneSettings kFlat{.geometry = {.mostWithoutTree = 64}, .lights = {}};
+inline const SceneSettings kFlat{.geometry = {.accel = {.maxClustersWithoutTree = 64}}, .lights = {}};
 
 struct Rendered {
   std::vector<float> values;

@@ -1,58 +1,49 @@
 #pragma once
 /// One ray against clusters: the hot functions of ClusterSet, once per instruction set (core/base/isa.h).
 #include <array>
-#include <tuple>
 #include <vector>
 
 #include "steradian/accel/shapes/clusters/cluster.h"
 #include "steradian/accel/shapes/clusters/cluster_tree.h"
+#include "steradian/accel/shapes/clusters/leaf_kinds.h"
 #include "steradian/core/base/isa.h"
-#include "steradian/core/scene/custom_shape.h"
 
 namespace steradian {
 
-/// Clusters of all kinds, numbered through: 0 to end.back() - 1.
+/// Clusters of all kinds, numbered through: 0 to count() - 1.
 struct Clusters {
-  /// A custom shape is a cluster of one.
-  struct Custom {
-    const CustomShape* implementation;
-    std::uint32_t shape, primitive;
-  };
   template <class Leaf>
   using Of = std::vector<Cluster<Leaf>>;
 
-  std::tuple<Of<QuadLeaf>, Of<AlignedQuadLeaf>, Of<UprightBoxLeaf>, Of<SphereLeaf>, Of<MovingSphereLeaf>,
-             Of<TriangleLeaf>, Of<DiskLeaf>, Of<TurnedBoxLeaf>>
-      kinds;
-  std::vector<Custom> custom;
-  std::array<std::uint32_t, 9> end{};  ///< one past the last cluster of each kind, in order; custom shapes last
+  LeafKinds::TupleOf<Of> kinds;
+  std::array<std::uint32_t, LeafKinds::count> end{};  ///< one past the last cluster of each kind
 
-  ClusterTree tree;  ///< over all clusters; empty: a ray meets one after the other
+  ClusterTree tree;  ///< over all clusters; empty: each is tested in turn
 
-  /// Calls visit(cluster) for the cluster of this number; false if it is a custom shape.
+  std::uint32_t count() const { return end.back(); }
+  /// Calls visit(cluster) for the cluster of this number.
   template <class Visit>
-  bool visit(std::uint32_t cluster, const Visit& visit) const {
-    return visitFrom<0>(cluster, visit);
+  void visit(std::uint32_t cluster, const Visit& visit) const {
+    visitFrom<0>(cluster, visit);
   }
-  const Custom& customOf(std::uint32_t cluster) const { return custom[cluster - end[end.size() - 2]]; }
 
  private:
   template <std::size_t kind, class Visit>
-  bool visitFrom(std::uint32_t cluster, const Visit& visit) const {
-    if constexpr (kind == std::tuple_size_v<decltype(kinds)>) {
-      return false;
-    } else {
+  void visitFrom(std::uint32_t cluster, const Visit& visit) const {
+    if constexpr (kind + 1 < LeafKinds::count) {
       if (cluster >= end[kind]) return visitFrom<kind + 1>(cluster, visit);
-      visit(std::get<kind>(kinds)[kind == 0 ? cluster : cluster - end[kind - 1]]);
-      return true;
     }
+    visit(std::get<kind>(kinds)[kind == 0 ? cluster : cluster - end[kind - 1]]);
   }
 };
 
 /// See ClusterSet for what they do.
 struct LeafKernels {
-  void (*nearest)(const Clusters&, const Ray<float>&, std::uint32_t instance, LeafHit& best);
-  bool (*any)(const Clusters&, const Ray<float>&);
+  void (*intersect)(const Clusters&, const Ray<float>&, std::uint32_t instance, LeafHit& best);
+  bool (*occluded)(const Clusters&, const Ray<float>&);
+  void (*intersectOne)(const Clusters&, std::uint32_t cluster, const Ray<float>&, std::uint32_t instance,
+                       LeafHit& best);
+  bool (*occludedByOne)(const Clusters&, std::uint32_t cluster, const Ray<float>&);
 };
 
 /// `isa` must be usable.

@@ -132,8 +132,8 @@ TEST(WidePath, EqualsWidthOneForEverySamplerFilterAndCrop) {
 
 TEST(WidePath, EqualsWidthOneWithAndWithoutAHierarchy) {
   for (const char* name : {"one-weekend", "cornell-city:200", "cornell-tower:3", "simple-light", "earth"}) {
-    for (const std::uint32_t mostWithoutTree : {64u, 0u}) {
-      const Scene scene(makeScene(name), {.geometry = {.mostWithoutTree = mostWithoutTree}, .lights = {}});
+    for (const std::uint32_t maxClustersWithoutTree : {64u, 0u}) {
+      const Scene scene(makeScene(name), {.geometry = {.accel = {.maxClustersWithoutTree = maxClustersWithoutTree}}, .lights = {}});
       expectEqualWidths(scene, "path", settingsOf(16, 9, 3));
     }
   }
@@ -143,16 +143,16 @@ TEST(WidePath, EqualsWidthOneWithAndWithoutAHierarchy) {
 TEST(WidePath, EqualsWidthOneInMotion) {
   const Scene flat(test::flyingSphere(), kFlat), lights(test::movingLights()), all(test::everythingMoves());
   ASSERT_NE(flat.geometry().flat(), nullptr);
-  const Scene deep(test::everythingMoves(), {.geometry = {.mostWithoutTree = 0}, .lights = {}});
+  const Scene deep(test::everythingMoves(), {.geometry = {.accel = {.maxClustersWithoutTree = 0}}, .lights = {}});
   for (const char* strategy : {"bsdf", "light", "mis", "mixture"}) {
     const std::string integrator = std::string("path:strategy=") + strategy;
     for (const Scene* scene : {&flat, &lights, &all, &deep}) {
       expectEqualWidths(*scene, integrator, settingsOf(13, 11, 8));
     }
   }
-  for (const std::uint32_t mostWithoutTree : {64u, 0u}) {
+  for (const std::uint32_t maxClustersWithoutTree : {64u, 0u}) {
     const Scene spheres(makeScene("bouncing-spheres"),
-                        {.geometry = {.mostWithoutTree = mostWithoutTree}, .lights = {}});
+                        {.geometry = {.accel = {.maxClustersWithoutTree = maxClustersWithoutTree}}, .lights = {}});
     expectEqualWidths(spheres, "path", settingsOf(16, 9, 3));
   }
   expectEqual(renderWith(deep, "path", settingsOf(13, 11, 8)), renderWith(all, "path", settingsOf(13, 11, 8)),
@@ -182,7 +182,7 @@ TEST(WidePath, IsTheSameForEveryInstructionSet) {
   };
   for (const int which : {0, 1, 2, 3, 4, 5, 6}) {
     const auto rendered = [&](Isa isa, const char* width) {
-      const SceneSettings settings{.geometry = {.mostWithoutTree = which == 0 ? 64u : 4u, .isa = isa}, .lights = {}};
+      const SceneSettings settings{.geometry = {.accel = {.maxClustersWithoutTree = which == 0 ? 64u : 4u}, .isa = isa}, .lights = {}};
       return renderWith(Scene(scene(which), settings), std::string("path:width=") + width, settingsOf(13, 11, 4));
     };
     const Rendered baseline = rendered(Isa::Baseline, "1");

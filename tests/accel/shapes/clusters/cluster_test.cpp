@@ -5,6 +5,7 @@
 
 #include <numeric>
 
+#include "steradian/accel/shapes/clusters/cluster_builder.h"
 #include "steradian/accel/shapes/clusters/cluster_partition.h"
 #include "steradian/accel/shapes/clusters/cluster_set.h"
 #include "steradian/accel/shapes/primitives/shape_at.h"
@@ -25,15 +26,15 @@ LeafHit oneByOne(const std::vector<Shape>& shapes, const Ray<float>& ray) {
 }
 
 template <class F, class Leaf>
-void expectMeets(const Cluster<Leaf>& cluster, const Ray<float>& ray, const LeafHit& expected) {
+void expectIntersects(const Cluster<Leaf>& cluster, const Ray<float>& ray, const LeafHit& expected) {
   LeafHit best;
-  meetNearest(cluster, 3, broadcastRay<F>(ray), kNone, best);
+  intersectCluster(cluster, 3, broadcastRay<F>(ray), kNone, best);
   ASSERT_EQ(best.found(), expected.found());
   ASSERT_EQ(best.t, expected.t);
   ASSERT_EQ(best.primitive, expected.primitive);
   ASSERT_EQ(best.shape, expected.shape);
   ASSERT_EQ(best.place, expected.found() ? 3 * kClusterSize + expected.primitive : kNone);
-  ASSERT_EQ(meetAny(cluster, broadcastRay<F>(ray)), expected.found());
+  ASSERT_EQ(clusterOccludes(cluster, broadcastRay<F>(ray)), expected.found());
 }
 
 template <class Leaf, class Make>
@@ -50,8 +51,8 @@ void expectClusterIsLoop(unsigned seed, int count, const Make& make) {
     Ray<float> ray = random.rayTowards({0.0f, 0.0f, 0.0f}, 1.0f, 4.0f);
     ray.time = 0.9f * static_cast<float>(round) / 300.0f;
     const LeafHit expected = oneByOne(shapes, ray);
-    ASSERT_NO_FATAL_FAILURE(expectMeets<Lanes<4>>(cluster, ray, expected));
-    ASSERT_NO_FATAL_FAILURE(expectMeets<Lanes<8>>(cluster, ray, expected));
+    ASSERT_NO_FATAL_FAILURE(expectIntersects<Lanes<4>>(cluster, ray, expected));
+    ASSERT_NO_FATAL_FAILURE(expectIntersects<Lanes<8>>(cluster, ray, expected));
     hits += expected.found();
   }
   EXPECT_GT(hits, 5);
@@ -84,7 +85,7 @@ TEST(Cluster, EquallyNearHitsGoToTheSmallestId) {
   Cluster<QuadLeaf> cluster;
   for (int i = 0; i < kClusterSize; ++i) cluster.put(i, quad, 3, static_cast<std::uint32_t>(10 + i));
   const auto nearest = [&](LeafHit best, std::uint32_t instance) {
-    meetNearest(cluster, 0, broadcastRay<Lanes<8>>(ray), instance, best);
+    intersectCluster(cluster, 0, broadcastRay<Lanes<8>>(ray), instance, best);
     return best;
   };
   EXPECT_EQ(nearest({}, kNone).primitive, 10u);
@@ -231,18 +232,19 @@ TEST(ClusterSet, IsTheSameForEveryInstructionSet) {
   scene.addShape("spheres", spheres, 0);
   scene.addShape("quads", quads, 0);
   const std::vector<Id> ids = {1, 0};
-  const ClusterSet set(scene, ids, Isa::Baseline);
+  const BuiltClusters built = buildClusters(scene, ids);
+  const ClusterSet set(built.clusters, Isa::Baseline);
   std::vector<ClusterSet> sameSets;
   for (const Isa isa : compiledIsas()) {
-    if (isUsable(isa)) sameSets.emplace_back(scene, ids, isa);
+    if (isUsable(isa)) sameSets.emplace_back(built.clusters, isa);
   }
   EXPECT_EQ(set.size(), 26u);
   EXPECT_GT(set.bytes(), 26u * 8u * 6u * 4u);
   for (int i = 0; i < 500; ++i) {
     const Ray<float> ray = random.rayTowards({0.0f, 0.0f, 0.0f}, 1.0f, 4.0f);
     LeafHit expected;
-    set.nearest(ray, kNone, expected);
-    ASSERT_EQ(set.any(ray), expected.found());
+    set.intersect(ray, kNone, expected);
+    ASSERT_EQ(set.occluded(ray), expected.found());
     if (expected.found()) {
       ASSERT_TRUE(set.isUsed(expected.place));
       PointRecord record;
@@ -253,12 +255,12 @@ TEST(ClusterSet, IsTheSameForEveryInstructionSet) {
     }
     for (const ClusterSet& same : sameSets) {
       LeafHit hit;
-      same.nearest(ray, kNone, hit);
+      same.intersect(ray, kNone, hit);
       ASSERT_EQ(hit.t, expected.t);
       ASSERT_EQ(hit.u, expected.u);
       ASSERT_EQ(hit.primitive, expected.primitive);
       ASSERT_EQ(hit.place, expected.place);
-      ASSERT_EQ(same.any(ray), expected.found());
+      ASSERT_EQ(same.occluded(ray), expected.found());
     }
   }
 }
