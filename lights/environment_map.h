@@ -1,6 +1,6 @@
 #pragma once
 /// Environment maps: images of the whole sphere of directions, importance-sampled by their luminance.
-#include <optional>
+#include <memory>
 
 #include "steradian/core/colour/colour_image.h"
 #include "steradian/core/sampling/distribution.h"
@@ -21,6 +21,8 @@ class EnvironmentMap {
   /// The description must be valid. Sampling takes a table of a float per pixel; without it there are no samples, and
   /// pdf() is 0.
   EnvironmentMap(const ImageSky& sky, bool sampled);
+  /// The same map, sharing the picture and the table if there is one. If `sampled` is false, it may still be sampled.
+  EnvironmentMap(const EnvironmentMap& map, bool sampled);
 
   /// W sr^-1 m^-2, from a unit direction.
   template <class F>
@@ -61,10 +63,12 @@ class EnvironmentMap {
     return density / (F(2.0f * kPi * kPi) * maximum(sine, F(1e-6f)));
   }
 
+  void makeTable();
+
   ColourImage picture_;
   Rgb scale_, total_;
-  float turn_;  ///< of the picture about +y, in [0, 1): whole turns do not count
-  std::optional<PiecewiseConstant2D> table_;
+  float turn_;                                        ///< of the picture about +y, in [0, 1): whole turns do not count
+  std::shared_ptr<const PiecewiseConstant2D> table_;  ///< null: not sampled, or black
 };
 
 template <class F>

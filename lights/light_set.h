@@ -1,6 +1,7 @@
 #pragma once
 /// All lights of a scene: chooses one by power, samples it, and tells what a ray that hits one finds.
-#include <optional>
+#include <cstdint>
+#include <memory>
 #include <string>
 #include <variant>
 #include <vector>
@@ -39,6 +40,9 @@ class LightSet {
  public:
   /// The description must be valid. `sceneBounds` measures the power of distant lights and skies.
   LightSet(const SceneDescription& scene, const Bounds3& sceneBounds, LightSetSettings settings = {});
+  /// The lights of `lights`, sampled by other settings. Both share the lights, whichever lives longer; only the table
+  /// to choose from is made, and that of an image sky that was not sampled before.
+  LightSet(const LightSet& lights, LightSetSettings settings);
 
   /// One light, one direction. pdf 0: no sample. Lanes may choose different lights; those that are not active have no
   /// sample.
@@ -62,28 +66,36 @@ class LightSet {
   /// sample() never makes a sample. emission() may find light all the same.
   bool empty() const { return selection_.empty(); }
   /// Number of lights: primitives and their instances one by one, the skies as one.
-  std::size_t size() const { return areas_.size() + diracs_.size() + (hasSky() ? 1u : 0u); }
+  std::size_t size() const { return skyIndex() + (hasSky() ? 1u : 0u); }
   /// Rays that leave the scene find a sky.
   bool hasSky() const { return !skies_.empty(); }
-  const AreaLights& areas() const { return areas_; }
+  const AreaLights& areas() const { return lights_->areas; }
   const std::vector<LightInfo>& info() const { return info_; }
 
  private:
   using DiracLight = std::variant<PointLight, PreparedSpot, DistantLight>;
 
-  /// One light's entry in info_ and its weight in the selection.
-  struct Weighed {
-    std::size_t entry;
-    float weight;
+  /// What does not depend on the settings: all lights but the skies.
+  struct Lights {
+    explicit Lights(const SceneDescription& scene, float sceneRadius);
+    void add(const DiracLight& light, LightInfo of);
+
+    AreaLights areas;
+    std::vector<DiracLight> diracs;
+    float sceneRadius;
+    // Of both kinds, in this order:
+    std::vector<float> power;           ///< luminance
+    std::vector<std::uint32_t> infoOf;  ///< index in info
+    std::vector<LightInfo> info;        ///< probabilities are still 0
   };
+  LightSet(std::shared_ptr<const Lights> lights, Skies skies, LightSetSettings settings);
+
+  std::size_t skyIndex() const { return lights_->areas.size() + lights_->diracs.size(); }
   /// The light `index`, as if it were the only one.
   template <class F>
   LightSample<F> sampleOne(std::size_t index, const ScatterPoint<F>& from, Vec2<F> u) const;
-  void listAreas(const SceneDescription& scene, bool sampled, std::vector<Weighed>& weighed);
-  void listOthers(const SceneDescription& scene, float sceneRadius, std::vector<Weighed>& weighed);
 
-  AreaLights areas_;
-  std::vector<DiracLight> diracs_;
+  std::shared_ptr<const Lights> lights_;
   Skies skies_;
   LightSelection selection_{{}};  ///< area lights, Dirac lights, skies
   std::vector<LightInfo> info_;
@@ -92,17 +104,18 @@ class LightSet {
 template <class F>
 Emission<F> LightSet::skyEmission(const ScatterPoint<F>& from, const Vec3<F>& direction) const {
   if (!hasSky()) return {};
-  const float probability = selection_.probability(areas_.size() + diracs_.size());
+  const float probability = selection_.probability(skyIndex());
   const F pdf = probability > 0.0f ? F(probability) * skies_.pdf(from.geometricNormal, direction) : F(0.0f);
   return {skies_.radiance(direction), pdf};
 }
 
 template <class F>
 LightSample<F> LightSet::sampleOne(std::size_t index, const ScatterPoint<F>& from, Vec2<F> u) const {
-  if (index < areas_.size()) return areas_[index].sample(from, u);
-  if (index < areas_.size() + diracs_.size()) {
+  const AreaLights& areas = lights_->areas;
+  if (index < areas.size()) return areas[index].sample(from, u);
+  if (index < skyIndex()) {
     return std::visit([&](const auto& light) { return sampleLight(light, from.position); },
-                      diracs_[index - areas_.size()]);
+                      lights_->diracs[index - areas.size()]);
   }
   return skies_.sample(from.geometricNormal, u);
 }

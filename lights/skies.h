@@ -17,6 +17,8 @@ class Skies {
  public:
   /// Those of the scene. Which of them are sampled: the constant and gradient ones, those that are pictures.
   Skies(const SceneDescription& scene, bool sampleSmooth, bool samplePictures);
+  /// The same skies, others of which are sampled; pictures and their tables are shared.
+  Skies(const Skies& skies, bool sampleSmooth, bool samplePictures);
 
   /// There are none.
   bool empty() const { return parts_.empty(); }
@@ -42,6 +44,8 @@ class Skies {
     bool sampled;
     float share = 0.0f;  ///< the probability of being chosen
   };
+  /// Sets the shares of the parts, by their power.
+  void setShares();
 
   template <class F>
   static Spectrum<F> radianceOf(const Part& part, Vec3<F> direction) {
