@@ -16,6 +16,12 @@
 
 namespace steradian {
 
+/// The one list of models: for points one by one (F = float) or in lanes. What has to match it is derived from it, or a
+/// static_assert or a switch over its alternatives does not compile.
+template <class F>
+using BsdfModels = std::variant<Absorber<F>, Lambert<F>, Mirror<F>, FuzzyMetal<F>, Dielectric<F>, SchlickDielectric<F>,
+                                Coated<F>, UniformDiffuse<F>>;
+
 /// Whether light samples alone may estimate the continuous part of a model, as the strategy `light` does. False where
 /// there is none, and for fuzzy metal, whose value is unbounded: there the variance would be infinite.
 template <class F>
@@ -34,8 +40,7 @@ MaskOf<F> samplesLights(const Model& model, Vec3<F> localWo) {
 /// Directions and sides as in ShadingFrame.
 class Bsdf {
  public:
-  using Model = std::variant<Absorber<float>, Lambert<float>, Mirror<float>, FuzzyMetal<float>, Dielectric<float>,
-                             Coated<float>, UniformDiffuse<float>>;
+  using Model = BsdfModels<float>;
 
   /// Both normals are unit and outward. A model takes the shading normal for its z axis.
   Bsdf(const Model& model, Vec3f geometricNormal, Vec3f shadingNormal)
@@ -66,10 +71,11 @@ class Bsdf {
   ShadingFrame<float> frame_;
 };
 
-/// The index of a model in Bsdf::Model.
+/// The index of a model at width 1 in Bsdf::Model.
 template <class Model>
 constexpr std::uint32_t indexOfModel() {
   return []<std::size_t... i>(std::index_sequence<i...>) {
+    static_assert((std::is_same_v<Model, std::variant_alternative_t<i, Bsdf::Model>> + ...) == 1, "not in the list");
     return static_cast<std::uint32_t>(
         ((std::is_same_v<Model, std::variant_alternative_t<i, Bsdf::Model>> ? i : 0) + ...));
   }

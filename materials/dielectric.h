@@ -10,10 +10,14 @@
 
 namespace steradian {
 
-template <class F>
+/// `schlick`: reflects by Schlick's approximation with the books' cosine (see fresnelSchlick); else by Fresnel's
+/// formulas.
+template <class F, bool schlick = false>
 struct Dielectric {
-  F eta;                 ///< index on the side that the normal leaves from over that on the side it points to
-  bool schlick = false;  ///< Schlick's approximation with the books' cosine; else exact
+  F eta;  ///< index on the side that the normal leaves from over that on the side it points to
+
+  /// Makes an index that is relative to vacuum relative to that of the medium outside.
+  void setOutsideEta(F outsideEta) { eta = eta / outsideEta; }
 
   BsdfSample<F> sample(Vec3<F> wo, const BsdfRandom<F>& random, Transport transport) const {
     const F side = copySign(F(1.0f), wo.z);
@@ -41,8 +45,12 @@ struct Dielectric {
   F reflectedShare(Vec3<F> wo) const {
     const F cosine = minimum(absolute(wo.z), F(1.0f));
     const F ratio = select(wo.z > F(0.0f), eta, F(1.0f) / eta);
-    return schlick ? fresnelSchlick(cosine, ratio) : fresnelDielectric(cosine, ratio);
+    if constexpr (schlick) return fresnelSchlick(cosine, ratio);
+    return fresnelDielectric(cosine, ratio);
   }
 };
+
+template <class F>
+using SchlickDielectric = Dielectric<F, true>;
 
 }  // namespace steradian

@@ -128,7 +128,6 @@ class PathLanes {
   WideFreeFlight<F> flight_;
   bool hasVolumes_;
   bool byLane_;
-  static constexpr std::uint32_t kDielectric = indexOfModel<Dielectric<float>>();
 };
 
 template <class F>
@@ -206,8 +205,7 @@ template <class F>
 void PathLanes<F>::addMedia(Vertex& vertex) {
   const Mask inMedium = flight_.inMedium();
   vertex.inMedium = inMedium;
-  F& eta = vertex.material.eta;
-  eta = select(vertex.material.model == Uint(kDielectric), eta / flight_.outsideEta(), eta);
+  vertex.material.outsideEta = flight_.outsideEta();
   vertex.point.position = select(inMedium, flight_.position(), vertex.point.position);
   vertex.point.positionError = select(inMedium, Vec3<F>{}, vertex.point.positionError);
   vertex.point.geometricNormal = select(inMedium, Vec3<F>{}, vertex.point.geometricNormal);

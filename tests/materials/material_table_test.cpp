@@ -63,7 +63,8 @@ TEST(MaterialTable, LanesAgreeWithBsdf) {
       setLane(random.lobe, i, r.lobe);
       setLane(random.direction, i, r.direction);
     }
-    const auto parameters = table.parameters(points, Mask<8>(true));
+    auto parameters = table.parameters(points, Mask<8>(true));
+    for (int i = 0; i < 8; ++i) setLane(parameters.outsideEta, i, i % 3 == 0 ? 1.33f : 1.0f);
     const ShadingFrame<F> frame(points.geometricNormal,
                                 usableShadingNormal(points.geometricNormal, points.shadingNormal, wo));
     BsdfSample<F> sample;
@@ -90,7 +91,7 @@ TEST(MaterialTable, LanesAgreeWithBsdf) {
     EXPECT_TRUE(all(seen));
     for (int i = 0; i < 8; ++i) {
       const Vec3f out = lane(wo, i);
-      const Bsdf bsdf = materials.bsdf(lane(points, i), out);
+      const Bsdf bsdf = materials.bsdf(lane(points, i), out, lane(parameters.outsideEta, i));
       const BsdfSample<float> s =
           bsdf.sample(out, {lane(random.lobe, i), lane(random.direction, i)}, Transport::Radiance);
       const BsdfValue<float> v = bsdf.eval(out, lane(wi, i), Transport::Radiance);

@@ -195,7 +195,7 @@ TEST(Models, DielectricReflectsWithFresnelsProbability) {
   // The critical angle of glass is 41.81 degrees, from within.
   EXPECT_FALSE(reflects(fromNormal(180.0 - 41.7), kOneMinusEpsilon));
   EXPECT_TRUE(reflects(fromNormal(180.0 - 41.9), kOneMinusEpsilon));
-  EXPECT_TRUE((Dielectric<float>{1.5f, true}
+  EXPECT_TRUE((SchlickDielectric<float>{1.5f}
                    .sample(fromNormal(180.0 - 41.9), {kOneMinusEpsilon, {0.5f, 0.5f}}, Transport::Radiance)
                    .lobe &
                kLobeReflection) != 0u);
