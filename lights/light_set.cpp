@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <type_traits>
+#include <utility>
 
 namespace steradian {
 namespace {
@@ -15,7 +16,15 @@ DistantLight prepared(const DistantLight& light) { return {normalize(light.direc
 }  // namespace
 
 LightSet::LightSet(const SceneDescription& scene, const Bounds3& sceneBounds, LightSetSettings settings)
-    : areas_(scene), skies_(scene, settings.sampleSkies, settings.sampleImageSkies) {
+    : LightSet(std::make_shared<const AreaLights>(scene), scene, sceneBounds, settings) {}
+
+LightSet::LightSet(const LightSet& other, const SceneDescription& scene, const Bounds3& sceneBounds,
+                   LightSetSettings settings)
+    : LightSet(other.areas_, scene, sceneBounds, settings) {}
+
+LightSet::LightSet(std::shared_ptr<const AreaLights> areas, const SceneDescription& scene, const Bounds3& sceneBounds,
+                   LightSetSettings settings)
+    : areas_(std::move(areas)), skies_(scene, settings.sampleSkies, settings.sampleImageSkies) {
   std::vector<Weighed> weighed;
   listAreas(scene, settings.sampleAreas, weighed);
   listOthers(scene, radiusOf(sceneBounds), weighed);
@@ -28,14 +37,14 @@ LightSet::LightSet(const SceneDescription& scene, const Bounds3& sceneBounds, Li
 
 void LightSet::listAreas(const SceneDescription& scene, bool sampled, std::vector<Weighed>& weighed) {
   std::vector<std::size_t> entryOfShape(scene.shapes.size(), kNone);
-  for (std::size_t i = 0; i < areas_.size(); ++i) {
-    const ShapeDescription& shape = scene.shapes[areas_.shapeOf(i)];
-    std::size_t& entry = entryOfShape[areas_.shapeOf(i)];
+  for (std::size_t i = 0; i < areas_->size(); ++i) {
+    const ShapeDescription& shape = scene.shapes[areas_->shapeOf(i)];
+    std::size_t& entry = entryOfShape[areas_->shapeOf(i)];
     if (entry == kNone) {
       entry = info_.size();
       info_.push_back({primitiveName(shape.geometry), shape.name, 0, {}, 0.0f});
     }
-    const Rgb power = areas_[i].power();
+    const Rgb power = (*areas_)[i].power();
     ++info_[entry].count;
     info_[entry].power += power;
     weighed.push_back({entry, sampled ? luminance(power) : 0.0f});
@@ -67,19 +76,19 @@ void LightSet::listOthers(const SceneDescription& scene, float sceneRadius, std:
 Emission<float> LightSet::emission(const ScatterPoint<float>& from, const Ray<float>& ray,
                                    const SurfacePoint<float>& hit) const {
   if (!hit.valid) return skyEmission(from, ray.direction);
-  const auto index = areas_.find(hit);
+  const auto index = areas_->find(hit);
   if (!index) return {};
   const float probability = selection_.probability(*index);
-  if (probability == 0.0f) return {areas_[*index].radiance(ray.direction, hit.geometricNormal), 0.0f};
-  Emission<float> found = areas_[*index].emission(from, ray.direction, hit.geometricNormal);
+  if (probability == 0.0f) return {(*areas_)[*index].radiance(ray.direction, hit.geometricNormal), 0.0f};
+  Emission<float> found = (*areas_)[*index].emission(from, ray.direction, hit.geometricNormal);
   found.pdf *= probability;
   return found;
 }
 
 Rgb LightSet::radiance(const Ray<float>& ray, const SurfacePoint<float>& hit) const {
   if (!hit.valid) return skies_.radiance(ray.direction);
-  const auto index = areas_.find(hit);
-  return index ? areas_[*index].radiance(ray.direction, hit.geometricNormal) : Rgb{};
+  const auto index = areas_->find(hit);
+  return index ? (*areas_)[*index].radiance(ray.direction, hit.geometricNormal) : Rgb{};
 }
 
 }  // namespace steradian

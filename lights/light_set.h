@@ -1,5 +1,6 @@
 #pragma once
 /// All lights of a scene: chooses one by power, samples it, and tells what a ray that hits one finds.
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -39,6 +40,8 @@ class LightSet {
  public:
   /// The description must be valid. `sceneBounds` measures the power of distant lights and skies.
   LightSet(const SceneDescription& scene, const Bounds3& sceneBounds, LightSetSettings settings = {});
+  /// The same lights as `other`, of the same scene, sampled by other settings. Area lights are shared, not built again.
+  LightSet(const LightSet& other, const SceneDescription& scene, const Bounds3& sceneBounds, LightSetSettings settings);
 
   /// One light, one direction. pdf 0: no sample. Lanes may choose different lights; those that are not active have no
   /// sample.
@@ -62,13 +65,16 @@ class LightSet {
   /// sample() never makes a sample. emission() may find light all the same.
   bool empty() const { return selection_.empty(); }
   /// Number of lights: primitives and their instances one by one, the skies as one.
-  std::size_t size() const { return areas_.size() + diracs_.size() + (hasSky() ? 1u : 0u); }
+  std::size_t size() const { return areas_->size() + diracs_.size() + (hasSky() ? 1u : 0u); }
   /// Rays that leave the scene find a sky.
   bool hasSky() const { return !skies_.empty(); }
-  const AreaLights& areas() const { return areas_; }
+  const AreaLights& areas() const { return *areas_; }
   const std::vector<LightInfo>& info() const { return info_; }
 
  private:
+  LightSet(std::shared_ptr<const AreaLights> areas, const SceneDescription& scene, const Bounds3& sceneBounds,
+           LightSetSettings settings);
+
   using DiracLight = std::variant<PointLight, PreparedSpot, DistantLight>;
 
   /// One light's entry in info_ and its weight in the selection.
@@ -82,7 +88,7 @@ class LightSet {
   void listAreas(const SceneDescription& scene, bool sampled, std::vector<Weighed>& weighed);
   void listOthers(const SceneDescription& scene, float sceneRadius, std::vector<Weighed>& weighed);
 
-  AreaLights areas_;
+  std::shared_ptr<const AreaLights> areas_;  ///< never null
   std::vector<DiracLight> diracs_;
   Skies skies_;
   LightSelection selection_{{}};  ///< area lights, Dirac lights, skies
@@ -92,17 +98,17 @@ class LightSet {
 template <class F>
 Emission<F> LightSet::skyEmission(const ScatterPoint<F>& from, const Vec3<F>& direction) const {
   if (!hasSky()) return {};
-  const float probability = selection_.probability(areas_.size() + diracs_.size());
+  const float probability = selection_.probability(areas_->size() + diracs_.size());
   const F pdf = probability > 0.0f ? F(probability) * skies_.pdf(from.geometricNormal, direction) : F(0.0f);
   return {skies_.radiance(direction), pdf};
 }
 
 template <class F>
 LightSample<F> LightSet::sampleOne(std::size_t index, const ScatterPoint<F>& from, Vec2<F> u) const {
-  if (index < areas_.size()) return areas_[index].sample(from, u);
-  if (index < areas_.size() + diracs_.size()) {
+  if (index < areas_->size()) return (*areas_)[index].sample(from, u);
+  if (index < areas_->size() + diracs_.size()) {
     return std::visit([&](const auto& light) { return sampleLight(light, from.position); },
-                      diracs_[index - areas_.size()]);
+                      diracs_[index - areas_->size()]);
   }
   return skies_.sample(from.geometricNormal, u);
 }

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "steradian/accel/shapes/sampling/sampled_shape_at.h"
-#include "steradian/lights/area_lights.h"
 
 namespace steradian {
 namespace {
@@ -29,8 +28,7 @@ struct Object {
   }
 };
 
-Object lightsOf(const SceneDescription& scene) {
-  const AreaLights lights(scene);
+Object allOf(const AreaLights& lights) {
   Object object;
   for (std::size_t i = 0; i < lights.size(); ++i) object.add(lights[i].shape(), luminance(lights[i].power()));
   return object;
@@ -54,8 +52,8 @@ void addShape(const SceneDescription& scene, Id shape, Object& object) {
 }
 
 /// All shapes of one name are one object.
-Object objectOf(const SceneDescription& scene, const std::string& name) {
-  if (name == kLights) return lightsOf(scene);
+Object objectOf(const SceneDescription& scene, const AreaLights& lights, const std::string& name) {
+  if (name == kLights) return allOf(lights);
   Object object;
   bool found = false;
   for (Id shape = 0; shape < scene.shapes.size(); ++shape) {
@@ -74,17 +72,17 @@ Object objectOf(const SceneDescription& scene, const std::string& name) {
   throw Error(ErrorKind::Usage, diagnostic);
 }
 
-std::vector<Object> objectsOf(const SceneDescription& scene, std::span<const std::string> names,
-                              TargetSet::Unnamed unnamed) {
+std::vector<Object> objectsOf(const SceneDescription& scene, const AreaLights& lights,
+                              std::span<const std::string> names, TargetSet::Unnamed unnamed) {
   std::vector<Object> objects;
-  for (const std::string& name : names) objects.push_back(objectOf(scene, name));
+  for (const std::string& name : names) objects.push_back(objectOf(scene, lights, name));
   if (!names.empty()) return objects;
   const bool butLights = unnamed == TargetSet::Unnamed::FlaggedButLights;
   for (Id shape = 0; shape < scene.shapes.size(); ++shape) {
     const ShapeDescription& s = scene.shapes[shape];
     if (s.target && (s.emission == kNone || !butLights)) addShape(scene, shape, objects.emplace_back());
   }
-  if (objects.empty() && !butLights) objects.push_back(lightsOf(scene));
+  if (objects.empty() && !butLights) objects.push_back(allOf(lights));
   return objects;
 }
 
@@ -100,6 +98,10 @@ TargetGroup groupOf(std::vector<Object> objects) {
 }  // namespace
 
 TargetSet::TargetSet(const SceneDescription& scene, std::span<const std::string> names, Unnamed unnamed)
-    : members_(groupOf(objectsOf(scene, names, unnamed))) {}
+    : TargetSet(scene, AreaLights(scene), names, unnamed) {}
+
+TargetSet::TargetSet(const SceneDescription& scene, const AreaLights& lights, std::span<const std::string> names,
+                     Unnamed unnamed)
+    : members_(groupOf(objectsOf(scene, lights, names, unnamed))) {}
 
 }  // namespace steradian

@@ -6,6 +6,7 @@
 
 #include "steradian/accel/shapes/sampling/hittable_pdf.h"
 #include "steradian/core/scene/description.h"
+#include "steradian/lights/area_lights.h"
 
 namespace steradian {
 
@@ -26,6 +27,9 @@ class TargetSet {
   /// suggestion; Scene for custom shapes.
   explicit TargetSet(const SceneDescription& scene, std::span<const std::string> names = {},
                      Unnamed unnamed = Unnamed::FlaggedOrLights);
+  /// The same, with the scene's area lights at hand.
+  TargetSet(const SceneDescription& scene, const AreaLights& lights, std::span<const std::string> names,
+            Unnamed unnamed);
 
   /// Without a distance, as a direction may meet several members. Lanes that are not active have no sample.
   template <class F>

@@ -226,6 +226,12 @@ TEST(LightSet, SettingsSayWhatIsSampled) {
   EXPECT_EQ(none.emission(from, up, onLight).radiance.r, 3.0f);
   EXPECT_EQ(none.emission(from, up, onLight).pdf, 0.0f);
 
+  const LightSet shared(usual, scene, kBounds, {.sampleAreas = false});
+  EXPECT_EQ(&shared.areas(), &usual.areas());
+  EXPECT_TRUE(shared.empty());
+  EXPECT_EQ(shared.emission(from, up, onLight).radiance.r, 3.0f);
+  EXPECT_EQ(shared.emission(from, up, onLight).pdf, 0.0f);
+
   const LightSet both(scene, kBounds, {.sampleSkies = true});
   EXPECT_NEAR(both.emission(from, up, sky).pdf, both.info()[1].probability * kInvTwoPi, 1e-7f);
   ScatterPoint<float> free = from;
