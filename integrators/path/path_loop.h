@@ -12,25 +12,12 @@
 #include "steradian/core/samplers/sampler.h"
 #include "steradian/core/sampling/direction_pdf.h"
 #include "steradian/core/transport/ray_offset.h"
-#include "steradian/integrators/path/path_settings.h"
+#include "steradian/integrators/path/path_context.h"
 #include "steradian/integrators/path/scene_queries.h"
 #include "steradian/integrators/render/integrator.h"
 #include "steradian/materials/phase.h"
 
 namespace steradian {
-
-/// The settings, as they apply to one scene.
-struct PathPlan {
-  Strategy strategy;
-  ScatterPdf scatterPdf;
-  std::uint32_t maxDepth, lightSamples, rouletteStart;
-  float rouletteStrength;
-  std::uint32_t reuse = 1;      ///< see PathSettings
-  float targetWeight;           ///< 0 where there is no target
-  const LightSet* lights;       ///< sampled at vertices
-  const LightSet* diracLights;  ///< sampled at those that PathVertex::lightSampled is false for
-  const TargetSet* targets;     ///< null where targetWeight is 0
-};
 
 /// Where light arrives and leaves. Scatterer: Bsdf, or Phase<float> in a medium.
 template <class Scatterer>

@@ -16,8 +16,6 @@
 
 namespace steradian {
 
-class Scene;
-
 struct RenderProgress {
   double fraction = 0.0;              ///< done, 0..1: of the samples, or of the time limit if that is nearer its end
   double seconds = 0.0;               ///< since render() was called
@@ -66,7 +64,6 @@ struct WeightedRay {
 };
 
 struct RenderJob {
-  const Scene& scene;
   const Camera& camera;
   const Filter& filter;
   SamplerSettings samplerSettings;
