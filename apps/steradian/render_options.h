@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "steradian/apps/steradian/arguments.h"
-#include "steradian/core/base/isa.h"
 #include "steradian/core/colour/display.h"
 #include "steradian/core/image/image_io.h"
 #include "steradian/core/scene/description.h"
@@ -41,10 +40,9 @@ enum class StatisticsFormat { None, Text, Json };
 struct RenderOptions {
   SceneDescription scene;
   std::vector<Output> outputs;
-  RenderSettings settings;
-  std::string integrator;  ///< a complete spec
-  std::string replay;      ///< the options, as typed, that choose the samples of a pixel
-  Isa isa = bestIsa();
+  RenderSettings settings;         ///< with --isa and --width
+  std::string integrator;          ///< a complete spec
+  std::string replay;              ///< the options, as typed, that choose the samples of a pixel
   int threads = 0;                 ///< 0: all processors
   std::optional<Display> display;  ///< if an output is display-referred
   DisplaySettings view;            ///< of display-referred outputs

@@ -1,5 +1,5 @@
 #pragma once
-/// What the wide path integrator asks of a scene, for several rays at once.
+/// The questions that path tracing asks a scene, for several rays at once.
 #include <array>
 #include <bit>
 #include <cstdint>
@@ -12,9 +12,9 @@
 
 namespace steradian {
 
-/// Answers are those of Scene, lane by lane and to the bit. The few primitives of small scenes are met with all lanes
-/// at once; larger scenes are asked ray by ray, and points are found with all lanes unless there are instances or
-/// motion.
+/// The answers are those of Scene, lane by lane and to the bit. Small scenes have their few primitives intersected with
+/// all rays at once. Larger scenes are asked ray by ray, but points on surfaces are computed for all lanes at once
+/// unless there are instances or motion.
 class WideScene {
  public:
   /// The scene must outlive this.
@@ -34,13 +34,13 @@ class WideScene {
   const Scene& scene() const { return *scene_; }
   const MaterialTable& materials() const { return materials_; }
 
-  /// The points that the active rays meet first; others, and those of rays that meet nothing, are not valid.
+  /// The nearest points that the active rays hit; not valid in other lanes, and for rays that hit nothing.
   template <class F>
   SurfacePoint<F> intersect(const Ray<F>& ray, MaskOf<F> active) const;
-  /// Which of the active rays meet anything.
+  /// Which of the active rays hit anything.
   template <class F>
   MaskOf<F> occluded(const Ray<F>& ray, MaskOf<F> active) const;
-  /// Which of the active rays find light where they end.
+  /// Which of the active rays end at an emitter: `point` on a shape that emits, or the sky if it is not valid.
   template <class F>
   MaskOf<F> findsLight(const SurfacePoint<F>& point, MaskOf<F> active) const {
     const UintOf<F> shape = select(point.valid, point.shape, UintOf<F>(static_cast<std::uint32_t>(emits_.size() - 1)));
@@ -52,15 +52,15 @@ class WideScene {
   const Scene* scene_;
   const FlatPrimitives* flat_;
   MaterialTable materials_;
-  std::span<const PointRecord> records_;  ///< all, or none
-  PointKinds keptKinds_ = 0;              ///< of them
-  bool usesRecords_;                      ///< for points
-  std::vector<std::uint32_t> emits_;      ///< per shape
+  std::span<const PointRecord> records_;  ///< of all primitives, or empty: see Geometry::keptRecords()
+  PointKinds keptKinds_ = 0;              ///< the kinds of those records
+  bool usesRecords_;                      ///< points on surfaces are computed by records
+  std::vector<std::uint32_t> emits_;      ///< per shape; 0 for none, which comes last
   bool hasSky_;
 };
 
 namespace detail {
-/// Rays of lanes, to be asked for one by one.
+/// The rays of all lanes in memory, where they can be read one by one.
 template <class F>
 class SingleRays {
  public:
