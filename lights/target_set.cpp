@@ -1,6 +1,5 @@
 #include "steradian/lights/target_set.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "steradian/accel/shapes/sampling/sampled_shape_at.h"
@@ -34,32 +33,27 @@ Object objectOf(const AreaLights& lights) {
   return object;
 }
 
-void addShape(const SceneDescription& scene, Id shape, Object& object) {
+void addShape(const SceneDescription& scene, const Placements& placements, Id shape, Object& object) {
   const ShapeDescription& description = scene.shapes[shape];
-  const bool inGroup = shapesInGroups(scene)[shape];
-  const auto add = [&](SampledShape placed) {
-    const float area = placed.area();
-    object.add(std::move(placed), area);
-  };
   for (std::size_t i = 0; i < primitiveCount(description.geometry); ++i) {
-    if (!inGroup) add(sampledShapeOf(description, i));
-    for (const InstanceSet& set : scene.instances) {
-      const std::vector<Id>& members = scene.groups[set.group].shapes;
-      if (std::find(members.begin(), members.end(), shape) == members.end()) continue;
-      for (std::size_t copy = 0; copy < set.transforms.size(); ++copy) add(sampledShapeOf(description, i, &set, copy));
-    }
+    placements.forEachPlaceOf(shape, [&](const ShapePlacement& place) {
+      SampledShape placed = sampledShapeOf(description, i, place.instance);
+      const float area = placed.area();
+      object.add(std::move(placed), area);
+    });
   }
 }
 
 /// All shapes of one name are one object.
 Object objectOf(const SceneDescription& scene, const AreaLights& lights, const std::string& name) {
   if (name == kLights) return objectOf(lights);
+  const Placements placements(scene);
   Object object;
   bool found = false;
   for (Id shape = 0; shape < scene.shapes.size(); ++shape) {
     if (scene.shapes[shape].name != name) continue;
     found = true;
-    addShape(scene, shape, object);
+    addShape(scene, placements, shape, object);
   }
   if (found) return object;
   std::vector<std::string> names{kLights};
@@ -77,10 +71,11 @@ std::vector<Object> objectsOf(const SceneDescription& scene, const AreaLights& l
   std::vector<Object> objects;
   for (const std::string& name : names) objects.push_back(objectOf(scene, lights, name));
   if (!names.empty()) return objects;
+  const Placements placements(scene);
   const bool butLights = unnamed == TargetSet::Unnamed::FlaggedButLights;
   for (Id shape = 0; shape < scene.shapes.size(); ++shape) {
     const ShapeDescription& s = scene.shapes[shape];
-    if (s.target && (s.emission == kNone || !butLights)) addShape(scene, shape, objects.emplace_back());
+    if (s.target && (s.emission == kNone || !butLights)) addShape(scene, placements, shape, objects.emplace_back());
   }
   if (objects.empty() && !butLights) objects.push_back(objectOf(lights));
   return objects;
