@@ -19,7 +19,7 @@ class AreaLights {
   /// The SceneDescription::shapes index of a light.
   Id shapeOf(std::size_t i) const { return shapes_[i]; }
 
-  /// Which of them a ray has hit, if any. The instance is the flattened one (see SurfacePoint).
+  /// The light that a ray has hit, if the surface emits.
   std::optional<std::size_t> find(const SurfacePoint<float>& hit) const;
 
  private:

@@ -72,12 +72,12 @@ std::vector<Object> objectsOf(const SceneDescription& scene, const AreaLights& l
   for (const std::string& name : names) objects.push_back(objectOf(scene, lights, name));
   if (!names.empty()) return objects;
   const Placements placements(scene);
-  const bool butLights = unnamed == TargetSet::Unnamed::FlaggedButLights;
+  const bool nonEmitters = unnamed == TargetSet::Unnamed::FlaggedNonEmitters;
   for (Id shape = 0; shape < scene.shapes.size(); ++shape) {
     const ShapeDescription& s = scene.shapes[shape];
-    if (s.target && (s.emission == kNone || !butLights)) addShape(scene, placements, shape, objects.emplace_back());
+    if (s.target && (s.emission == kNone || !nonEmitters)) addShape(scene, placements, shape, objects.emplace_back());
   }
-  if (objects.empty() && !butLights) objects.push_back(objectOf(lights));
+  if (objects.empty() && !nonEmitters) objects.push_back(objectOf(lights));
   return objects;
 }
 

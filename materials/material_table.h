@@ -12,8 +12,8 @@
 
 namespace steradian {
 
-/// A material takes as many floats as its model has parameters: the first three beside the number of the model, the
-/// others, in blocks of four, in a table that is read only by models that have as many.
+/// A material takes as much room as its model has parameters. The first three are stored beside the index of the model,
+/// the others in blocks of four, which only the models that have them read.
 class MaterialTable {
  public:
   /// `materials` must outlive the table. Throws Error (Scene) for more than 2^29 parameters that are not a material's
@@ -44,7 +44,7 @@ class MaterialTable {
   static constexpr std::uint32_t kModelBits = 5, kFirst = 3, kBlock = 4;
   static_assert(std::variant_size_v<Bsdf::Model> <= 1u << kModelBits);
 
-  /// One block of four to gather.
+  /// What is gathered of every material.
   struct Record {
     std::uint32_t modelAndBlock;  ///< the model in the lowest kModelBits
     std::array<float, kFirst> first;
@@ -62,11 +62,10 @@ class MaterialTable {
 
   const MaterialSet* materials_;
   std::vector<Record> records_;  ///< per material, and of none
-  std::vector<float>
-      blocks_;  ///< of parameters after the first; whatever block a lane has, any model can be read there
-  std::vector<Id> textureOf_;  ///< per material, and of none; kNone where the record has the colour
-  std::uint32_t present_ = 0;  ///< a bit per model that occurs
-  bool textured_ = false;      ///< some material has a texture
+  std::vector<float> blocks_;    ///< the parameters after the first; padded so that any model can be read at any block
+  std::vector<Id> textureOf_;    ///< per material, and of none; kNone where the record has the colour
+  std::uint32_t present_ = 0;    ///< a bit per model that occurs
+  bool textured_ = false;        ///< some material has a texture
   bool readsUv_ = false;
 };
 

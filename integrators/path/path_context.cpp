@@ -25,9 +25,7 @@ PathPlan planFor(const Scene& scene, const PathSettings& settings) {
 }
 
 /// The scene's lights, sampled by other settings.
-LightSet resampled(const Scene& scene, LightSetSettings settings) {
-  return LightSet(scene.lights(), settings);
-}
+LightSet resampled(const Scene& scene, LightSetSettings settings) { return LightSet(scene.lights(), settings); }
 
 }  // namespace
 
@@ -44,7 +42,7 @@ PathContext::PathContext(const Scene& scene, const PathSettings& settings)
   }
   const bool mixes = strategy == Strategy::Mixture;
   if (mixes || strategy == Strategy::Mis) {
-    const auto unnamed = mixes ? TargetSet::Unnamed::FlaggedOrLights : TargetSet::Unnamed::FlaggedButLights;
+    const auto unnamed = mixes ? TargetSet::Unnamed::FlaggedOrLights : TargetSet::Unnamed::FlaggedNonEmitters;
     targets_.emplace(scene.description(), scene.lights().areas(), settings.targets, unnamed);
     plan_.targets = &*targets_;
     plan_.targetWeight = targets_->empty() ? 0.0f : settings.targetWeight.value_or(mixes ? 0.5f : 0.25f);

@@ -167,7 +167,7 @@ typename PathLanes<F>::Vertex PathLanes<F>::nextVertex(PathState<F>& path, const
   scene_.materials().forEachModel(vertex.material, onSurface, [&](const auto& model, Mask mine) {
     vertex.diracProbability = select(mine, model.diracProbability(localWo), vertex.diracProbability);
     if (plan_.strategy == Strategy::Light) {
-      vertex.lightSampled = select(mine, Mask(samplesLights(model, localWo)), vertex.lightSampled);
+      vertex.lightSampled = select(mine, Mask(suitsLightSampling(model, localWo)), vertex.lightSampled);
     }
   });
   return vertex;

@@ -183,7 +183,7 @@ Rgb sampleDirectLight(const PathPlan& plan, Queries& queries, const Vertex& vert
 /// The vertex at a point of a surface. It refers to `surface`, `bsdf` and `interior`.
 inline PathVertex<Bsdf> vertexOf(const PathPlan& plan, const SurfacePoint<float>& surface, const Bsdf& bsdf, Vec3f wo,
                                  float time, const InteriorStack& interior) {
-  const bool lightSampled = plan.strategy != Strategy::Light || bsdf.samplesLights(wo);
+  const bool lightSampled = plan.strategy != Strategy::Light || bsdf.suitsLightSampling(wo);
   return {scatterPoint(surface, time),
           faceForward(bsdf.shadingNormal(), wo),
           wo,

@@ -84,7 +84,7 @@ TEST(MaterialTable, LanesAgreeWithBsdf) {
       value.pdf = select(mine, v.pdf, value.pdf);
       albedo = select(mine, model.albedo(localWo), albedo);
       dirac = select(mine, model.diracProbability(localWo), dirac);
-      sampled = select(mine, Mask<8>(samplesLights(model, localWo)), sampled);
+      sampled = select(mine, Mask<8>(suitsLightSampling(model, localWo)), sampled);
       EXPECT_FALSE(any(seen & mine));
       seen |= mine;
     });
@@ -105,7 +105,7 @@ TEST(MaterialTable, LanesAgreeWithBsdf) {
       EXPECT_TRUE(sameBits(v.pdf, value.pdf[i]));
       EXPECT_TRUE(sameBits(bsdf.albedo(out).b, albedo.b[i]));
       EXPECT_TRUE(sameBits(bsdf.diracProbability(out), dirac[i]));
-      EXPECT_EQ(bsdf.samplesLights(out), sampled[i]);
+      EXPECT_EQ(bsdf.suitsLightSampling(out), sampled[i]);
     }
   }
 }
