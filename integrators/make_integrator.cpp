@@ -2,6 +2,7 @@
 
 #include <array>
 #include <limits>
+#include <utility>
 
 #include "steradian/integrators/auxiliary/aov.h"
 #include "steradian/integrators/path/path.h"
@@ -46,7 +47,6 @@ PathSettings readPathSettings(IntegratorSpec& spec) {
   spec.read("target-weight", settings.targetWeight, 0.0f, 1.0f);
   spec.read("targets", settings.targets);
   spec.read("reuse", settings.reuse, 1u, PathSettings::kMaxReuse);
-  spec.read("width", settings.width, 0u, 16u);
   if (settings.strategy != Strategy::Mixture && settings.strategy != Strategy::Mis) {
     for (const std::string_view key : {"target-weight", "targets"}) spec.refuse(key, "needs strategy=mis or mixture");
   }
@@ -57,21 +57,28 @@ PathSettings readPathSettings(IntegratorSpec& spec) {
 
 std::span<const IntegratorInfo> integratorRegistry() { return kRegistry; }
 
-std::unique_ptr<Integrator> makeIntegrator(std::string_view text) {
+IntegratorChoice makeIntegrator(std::string_view text, const ExecutionSettings& given) {
   IntegratorSpec spec(text);
   const IntegratorInfo* info = spec.find(kRegistry);
   const std::string_view name = info == nullptr ? std::string_view() : info->name;
   PathSettings path;
+  ExecutionSettings execution = given;
   float distance = kInfinity;
-  if (name == "path") path = readPathSettings(spec);
+  if (name == "path") {
+    path = readPathSettings(spec);
+    spec.read("width", execution.width, 0u, 16u);
+  }
   if (name == "ambient-occlusion") spec.read("distance", distance, std::numeric_limits<float>::min(), kInfinity);
   spec.throwIfWrong();
+  if (name != "path") requireUsable(execution);
 
-  if (name == "normals") return std::make_unique<NormalIntegrator>();
-  if (name == "albedo") return std::make_unique<AlbedoIntegrator>();
-  if (name == "depth") return std::make_unique<DepthIntegrator>();
-  if (name == "ambient-occlusion") return std::make_unique<AmbientOcclusionIntegrator>(distance);
-  return std::make_unique<PathIntegrator>(path);
+  if (name == "normals") return {std::make_unique<NormalIntegrator>(), execution};
+  if (name == "albedo") return {std::make_unique<AlbedoIntegrator>(), execution};
+  if (name == "depth") return {std::make_unique<DepthIntegrator>(), execution};
+  if (name == "ambient-occlusion") return {std::make_unique<AmbientOcclusionIntegrator>(distance), execution};
+  auto integrator = std::make_unique<PathIntegrator>(path);
+  integrator->requireUsable(execution);
+  return {std::move(integrator), execution};
 }
 
 }  // namespace steradian

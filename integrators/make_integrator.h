@@ -12,7 +12,15 @@ namespace steradian {
 /// All integrators with their keys, for --help.
 std::span<const IntegratorInfo> integratorRegistry();
 
-/// The integrator that a spec `name{:key=value}` asks for. Throws Error (Usage) with everything that is wrong with it.
-std::unique_ptr<Integrator> makeIntegrator(std::string_view spec);
+/// What a spec asks for.
+struct IntegratorChoice {
+  std::unique_ptr<const Integrator> integrator;  ///< never null
+  ExecutionSettings execution;                   ///< what to render with: RenderSettings::execution
+};
+
+/// The integrator that a spec `name{:key=value}` asks for. `execution` is passed on, but the key `width` of `path`
+/// takes the place of its width. Throws Error (Usage) with everything that is wrong with the spec, or with the
+/// execution settings.
+IntegratorChoice makeIntegrator(std::string_view spec, const ExecutionSettings& execution = {});
 
 }  // namespace steradian

@@ -6,44 +6,29 @@
 
 namespace steradian {
 
-std::vector<bool> shapesInGroups(const SceneDescription& scene) {
-  std::vector<bool> inGroup(scene.shapes.size(), false);
-  for (const Group& group : scene.groups) {
-    for (const Id shape : group.shapes) inGroup[shape] = true;
-  }
-  return inGroup;
-}
-
 AreaLights::AreaLights(const SceneDescription& scene)
     : emits_(scene.shapes.size(), false), first_(scene.shapes.size(), kNone) {
-  const std::vector<bool> inGroup = shapesInGroups(scene);
-  for (Id shape = 0; shape < scene.shapes.size(); ++shape) {
-    emits_[shape] = scene.shapes[shape].emission != kNone;
-    if (!emits_[shape] || inGroup[shape]) continue;
-    first_[shape] = static_cast<std::uint32_t>(lights_.size());
-    add(scene, shape, nullptr, 0);
-  }
-  Id instance = 0;
-  for (const InstanceSet& set : scene.instances) {
-    for (std::size_t copy = 0; copy < set.transforms.size(); ++copy) {
-      for (const Id shape : scene.groups[set.group].shapes) {
-        if (!emits_[shape]) continue;
-        instanced_.push_back({instance, shape, static_cast<std::uint32_t>(lights_.size())});
-        add(scene, shape, &set, copy);
-      }
-      ++instance;
+  for (Id shape = 0; shape < scene.shapes.size(); ++shape) emits_[shape] = scene.shapes[shape].emission != kNone;
+  Placements(scene).forEachShape([&](const ShapePlacement& placed) {
+    if (!emits_[placed.shape]) return;
+    const auto first = static_cast<std::uint32_t>(lights_.size());
+    if (placed.instance) {
+      instanced_.push_back({placed.instance->index, placed.shape, first});
+    } else {
+      first_[placed.shape] = first;
     }
-  }
+    add(scene, placed);
+  });
   std::sort(instanced_.begin(), instanced_.end());
 }
 
-void AreaLights::add(const SceneDescription& scene, Id shape, const InstanceSet* instances, std::size_t copy) {
-  const ShapeDescription& description = scene.shapes[shape];
+void AreaLights::add(const SceneDescription& scene, const ShapePlacement& placed) {
+  const ShapeDescription& description = scene.shapes[placed.shape];
   const SurfaceEmission& emission = scene.emissions[description.emission];
   const std::size_t count = primitiveCount(description.geometry);
   for (std::size_t primitive = 0; primitive < count; ++primitive) {
-    lights_.emplace_back(sampledShapeOf(description, primitive, instances, copy), emission);
-    shapes_.push_back(shape);
+    lights_.emplace_back(sampledShapeOf(description, primitive, placed.instance), emission);
+    shapes_.push_back(placed.shape);
   }
 }
 

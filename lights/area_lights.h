@@ -3,14 +3,15 @@
 #include <optional>
 #include <vector>
 
+#include "steradian/core/scene/placements.h"
 #include "steradian/lights/area_light.h"
 
 namespace steradian {
 
 class AreaLights {
  public:
-  /// Lights in the order of shapes placed directly, then of instances; within each, of primitives. Throws Error (Scene)
-  /// for emitting custom shapes.
+  /// Lights in the flattened order of shapes (see core/scene/placements.h), and for each in the order of its
+  /// primitives. Throws Error (Scene) for emitting custom shapes.
   explicit AreaLights(const SceneDescription& scene);
 
   std::size_t size() const { return lights_.size(); }
@@ -18,11 +19,11 @@ class AreaLights {
   /// The SceneDescription::shapes index of a light.
   Id shapeOf(std::size_t i) const { return shapes_[i]; }
 
-  /// Which of them a ray has hit, if any. The instance is the flattened one (see SurfacePoint).
+  /// The light that a ray has hit, if the surface emits.
   std::optional<std::size_t> find(const SurfacePoint<float>& hit) const;
 
  private:
-  void add(const SceneDescription& scene, Id shape, const InstanceSet* instances, std::size_t copy);
+  void add(const SceneDescription& scene, const ShapePlacement& placed);
 
   struct InstancedShape {
     Id instance, shape;
@@ -36,8 +37,5 @@ class AreaLights {
   std::vector<std::uint32_t> first_;       ///< per shape placed directly: its first light
   std::vector<InstancedShape> instanced_;  ///< sorted
 };
-
-/// Which shapes of a description belong to groups: they appear only through instances.
-std::vector<bool> shapesInGroups(const SceneDescription& scene);
 
 }  // namespace steradian

@@ -1,13 +1,13 @@
 #pragma once
-/// Lights that shine along single directions: point, spot, distant. Only light sampling finds them; their samples have
-/// pdf kDirac.
+/// Lights without area: point, spot, distant. No ray can hit them, so only light sampling finds them; their samples
+/// have pdf kDirac.
 #include "steradian/core/scene/description.h"
 #include "steradian/core/transport/scattering.h"
 
 namespace steradian {
 
 namespace detail {
-/// What a point of intensity I gives: weight I / d^2.
+/// A sample of a point of intensity I: the weight is I / d^2.
 template <class F>
 LightSample<F> pointSample(Vec3f position, const Spectrum<F>& intensity, Vec3<F> from) {
   const Vec3<F> offset = broadcast<F>(position) - from;
@@ -30,7 +30,8 @@ LightSample<F> sampleLight(const PointLight& light, Vec3<F> from) {
 struct PreparedSpot {
   explicit PreparedSpot(const SpotLight& light);
 
-  /// Share of the full intensity at a cosine with the axis: the smoothstep 3 t^2 - 2 t^3 between the two cosines.
+  /// The fraction of the full intensity at this cosine with the axis: smoothstep, 3 t^2 - 2 t^3, between the two
+  /// cosines.
   template <class F>
   F falloff(F cosine) const {
     const F t = clamp((cosine - F(cosOuter)) * F(inverseWidth), F(0.0f), F(1.0f));
@@ -42,7 +43,7 @@ struct PreparedSpot {
   float cosInner, cosOuter, inverseWidth;
 };
 
-/// Likewise, W m^-2.
+/// The sample of a spot light; weight in W m^-2.
 template <class F>
 LightSample<F> sampleLight(const PreparedSpot& light, Vec3<F> from) {
   LightSample<F> s = detail::pointSample(light.position, broadcast<F>(light.intensity), from);
@@ -52,13 +53,13 @@ LightSample<F> sampleLight(const PreparedSpot& light, Vec3<F> from) {
   return s;
 }
 
-/// Likewise, W m^-2; the direction of the light must be a unit vector here.
+/// The sample of a distant light, whose direction must be a unit vector; weight in W m^-2.
 template <class F>
 LightSample<F> sampleLight(const DistantLight& light, Vec3<F>) {
   return {broadcast<F>(light.irradiance), broadcast<F>(-light.direction), F(kInfinity), F(kDirac)};
 }
 
-/// Total power in W per channel. That of a distant light is what enters a scene of the given bounding radius.
+/// Total power in W per channel; of a distant light, that which enters the bounding sphere of the scene.
 Rgb powerOf(const PointLight& light);
 Rgb powerOf(const PreparedSpot& light);
 Rgb powerOf(const DistantLight& light, float sceneRadius);

@@ -81,8 +81,17 @@ float turnOf(float degrees) {
 
 EnvironmentMap::EnvironmentMap(const ImageSky& sky, bool sampled)
     : picture_(sky.image), scale_(sky.scale), total_(integralOf(picture_, scale_)), turn_(turnOf(sky.rotation)) {
-  if (!sampled || !(luminance(total_) > 0.0f)) return;
-  table_.emplace(weightsOf(picture_, scale_), picture_.width(), picture_.height());
+  if (sampled) makeTable();
+}
+
+EnvironmentMap::EnvironmentMap(const EnvironmentMap& map, bool sampled) : EnvironmentMap(map) {
+  if (sampled && !table_) makeTable();
+}
+
+void EnvironmentMap::makeTable() {
+  if (!(luminance(total_) > 0.0f)) return;
+  table_ =
+      std::make_shared<const PiecewiseConstant2D>(weightsOf(picture_, scale_), picture_.width(), picture_.height());
 }
 
 }  // namespace steradian

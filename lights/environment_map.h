@@ -1,6 +1,6 @@
 #pragma once
 /// Environment maps: images of the whole sphere of directions, importance-sampled by their luminance.
-#include <optional>
+#include <memory>
 
 #include "steradian/core/colour/colour_image.h"
 #include "steradian/core/sampling/distribution.h"
@@ -18,9 +18,11 @@ namespace steradian {
 /// luminance is nowhere more than 16 times the mean of its pixel.
 class EnvironmentMap {
  public:
-  /// The description must be valid. Sampling takes a table of a float per pixel; without it there are no samples, and
-  /// pdf() is 0.
+  /// The description must be valid. If `sampled`, builds the table that sample() needs, a float per pixel; without it
+  /// there are no samples (pdf 0), and pdf() is 0.
   EnvironmentMap(const ImageSky& sky, bool sampled);
+  /// The same map, sharing the picture and the table if there is one. If `sampled` is false, it may still be sampled.
+  EnvironmentMap(const EnvironmentMap& map, bool sampled);
 
   /// W sr^-1 m^-2, from a unit direction.
   template <class F>
@@ -36,7 +38,7 @@ class EnvironmentMap {
   };
   template <class F>
   Sample<F> sample(Vec2<F> u) const;
-  /// The density of that, per sr; 0 of a picture that is black or not sampled.
+  /// The pdf of sample(), per sr; 0 if the picture is black or not sampled.
   template <class F>
   F pdf(Vec3<F> direction) const;
 
@@ -54,17 +56,19 @@ class EnvironmentMap {
   Place<F> placeOf(Vec3<F> direction) const;
   template <class F>
   Spectrum<F> radianceAt(const Place<F>& place) const;
-  /// Per sr, of a density per unit of the square.
+  /// Converts a density over the unit square of the picture to one per sr.
   template <class F>
   static F perSteradian(F density, F sine) {
-    // At the poles the sine may round to nothing; nothing is there.
+    // At the poles the sine may round to 0, where the solid angle vanishes too.
     return density / (F(2.0f * kPi * kPi) * maximum(sine, F(1e-6f)));
   }
 
+  void makeTable();
+
   ColourImage picture_;
   Rgb scale_, total_;
-  float turn_;  ///< of the picture about +y, in [0, 1): whole turns do not count
-  std::optional<PiecewiseConstant2D> table_;
+  float turn_;                                        ///< rotation of the picture about +y, in turns, in [0, 1)
+  std::shared_ptr<const PiecewiseConstant2D> table_;  ///< null: not sampled, or black
 };
 
 template <class F>

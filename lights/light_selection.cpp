@@ -6,7 +6,7 @@ namespace steradian {
 
 LightSelection::LightSelection(std::span<const float> weights) {
   if (std::none_of(weights.begin(), weights.end(), [](float w) { return w > 0.0f; })) return;
-  if (weights.size() <= few) {
+  if (weights.size() <= kMaxInverted) {
     table_.emplace<PiecewiseConstant1D>(weights);
   } else {
     table_.emplace<AliasTable>(weights);

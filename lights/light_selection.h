@@ -1,5 +1,5 @@
 #pragma once
-/// Chooses one of many by weight.
+/// Chooses one of many lights with probabilities in proportion to weights.
 #include <cstddef>
 #include <span>
 #include <variant>
@@ -8,13 +8,13 @@
 
 namespace steradian {
 
-/// Few entries by the inverse of the cumulative sum, which keeps the order of low-discrepancy numbers; many by the
-/// alias method, in constant time.
+/// Up to kMaxInverted entries by inverting the cumulative distribution, which keeps the stratification of
+/// low-discrepancy numbers; more by the alias method, in constant time.
 class LightSelection {
  public:
-  static constexpr std::size_t few = 256;
+  static constexpr std::size_t kMaxInverted = 256;
 
-  /// Weights >= 0 of any sum. All zero, or none: nothing can be chosen.
+  /// Weights are >= 0, and need not add up to 1. If all are zero, or there are none, nothing can be chosen.
   explicit LightSelection(std::span<const float> weights);
 
   template <class F>

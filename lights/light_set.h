@@ -1,6 +1,7 @@
 #pragma once
-/// All lights of a scene: chooses one by power, samples it, and tells what a ray that hits one finds.
-#include <optional>
+/// All lights of a scene: chooses one by power, samples it, and gives the emission that rays find by hitting one.
+#include <cstdint>
+#include <memory>
 #include <string>
 #include <variant>
 #include <vector>
@@ -13,17 +14,17 @@
 
 namespace steradian {
 
-/// What sample() may choose from. Point, spot and distant lights always: nothing else finds them.
+/// Which lights sample() may choose. Point, spot and distant lights it always may: no ray can hit them.
 struct LightSetSettings {
-  bool sampleAreas = true;  ///< false for the strategies that find them otherwise (`bsdf`, `mixture`)
-  /// Constant and gradient skies are smooth: scattering finds them about as well, and without them the samples go to
-  /// the other lights. `light` needs true.
+  bool sampleAreas = true;  ///< area lights; false for the strategies that sample them otherwise (`bsdf`, `mixture`)
+  /// Constant and gradient skies. They are smooth, so BSDF samples find them about as well, and light samples are
+  /// better spent on the other lights. The strategy `light` needs true.
   bool sampleSkies = false;
-  /// Skies that are pictures may have a sun in them.
+  /// Environment maps, which may contain a sun.
   bool sampleImageSkies = true;
 };
 
-/// For people: an emitting shape with all its primitives and instances, or another light.
+/// A light as reports name it: an emitting shape with all its primitives and instances, or another light.
 struct LightInfo {
   std::string kind;          ///< "quad", "sphere", ..., "point", "spot", "distant", "sky"
   std::string name;          ///< may be empty; that of the sky is always
@@ -32,58 +33,68 @@ struct LightInfo {
   float probability = 0.0f;  ///< of being chosen by sample()
 };
 
-/// Selection: in proportion to the luminance of the power, whatever the place. A light without power is never chosen.
-/// All skies together are one light. What sample() does not choose has pdf 0 in emission(), so that MIS weights of the
-/// other techniques are 1.
+/// sample() chooses a light with a probability in proportion to the luminance of its power, the same for all points. A
+/// light without power is never chosen. All skies together are one light. A light that sample() never chooses has pdf 0
+/// in emission(), so that the MIS weight of the other techniques is 1.
 class LightSet {
  public:
   /// The description must be valid. `sceneBounds` measures the power of distant lights and skies.
   LightSet(const SceneDescription& scene, const Bounds3& sceneBounds, LightSetSettings settings = {});
+  /// The lights of `lights`, sampled by other settings. Both share the lights, whichever lives longer; only the table
+  /// to choose from is made, and that of an image sky that was not sampled before.
+  LightSet(const LightSet& lights, LightSetSettings settings);
 
-  /// One light, one direction. pdf 0: no sample. Lanes may choose different lights; those that are not active have no
-  /// sample.
+  /// Chooses a light and a direction to it. pdf 0 means no sample, as in lanes that are not active. Lanes may choose
+  /// different lights.
   template <class F>
   LightSample<F> sample(const ScatterPoint<F>& from, const LightRandom<F>& random,
                         MaskOf<F> active = MaskOf<F>(true)) const;
 
-  /// What `ray`, which left `from`, finds: the emission of the surface it hit, or of the skies where hit.valid is
-  /// false; with the density with which sample(from) would have chosen ray.direction through that light. Where lights
-  /// overlap, each is a light of its own.
+  /// The emission that `ray` from `from` finds at its hit, or of the skies if hit.valid is false; with the pdf with
+  /// which sample(from) would have chosen this light and this direction. Where lights overlap, each counts for itself.
   Emission<float> emission(const ScatterPoint<float>& from, const Ray<float>& ray,
                            const SurfacePoint<float>& hit) const;
 
-  /// What a ray finds that leaves the scene along `direction`, likewise.
+  /// The same for a ray that leaves the scene along `direction`.
   template <class F>
   Emission<F> skyEmission(const ScatterPoint<F>& from, const Vec3<F>& direction) const;
 
-  /// The radiance alone, where the density does not matter (after the camera, after Dirac bounces).
+  /// The radiance alone, where the pdf does not matter: for camera rays and after Dirac bounces.
   Rgb radiance(const Ray<float>& ray, const SurfacePoint<float>& hit) const;
 
-  /// sample() never makes a sample. emission() may find light all the same.
+  /// sample() never gives a sample. emission() may be positive all the same.
   bool empty() const { return selection_.empty(); }
   /// Number of lights: primitives and their instances one by one, the skies as one.
-  std::size_t size() const { return areas_.size() + diracs_.size() + (hasSky() ? 1u : 0u); }
-  /// Rays that leave the scene find a sky.
+  std::size_t size() const { return skyIndex() + (hasSky() ? 1u : 0u); }
+  /// Whether there is a sky.
   bool hasSky() const { return !skies_.empty(); }
-  const AreaLights& areas() const { return areas_; }
+  const AreaLights& areas() const { return lights_->areas; }
   const std::vector<LightInfo>& info() const { return info_; }
 
  private:
   using DiracLight = std::variant<PointLight, PreparedSpot, DistantLight>;
 
-  /// One light's entry in info_ and its weight in the selection.
-  struct Weighed {
-    std::size_t entry;
-    float weight;
+  /// What does not depend on the settings: all lights but the skies.
+  struct Lights {
+    explicit Lights(const SceneDescription& scene, float sceneRadius);
+    void add(const DiracLight& light, LightInfo of);
+
+    AreaLights areas;
+    std::vector<DiracLight> diracs;
+    float sceneRadius;
+    // Of both kinds, in this order:
+    std::vector<float> power;           ///< luminance
+    std::vector<std::uint32_t> infoOf;  ///< index in info
+    std::vector<LightInfo> info;        ///< probabilities are still 0
   };
+  LightSet(std::shared_ptr<const Lights> lights, Skies skies, LightSetSettings settings);
+
+  std::size_t skyIndex() const { return lights_->areas.size() + lights_->diracs.size(); }
   /// The light `index`, as if it were the only one.
   template <class F>
   LightSample<F> sampleOne(std::size_t index, const ScatterPoint<F>& from, Vec2<F> u) const;
-  void listAreas(const SceneDescription& scene, bool sampled, std::vector<Weighed>& weighed);
-  void listOthers(const SceneDescription& scene, float sceneRadius, std::vector<Weighed>& weighed);
 
-  AreaLights areas_;
-  std::vector<DiracLight> diracs_;
+  std::shared_ptr<const Lights> lights_;
   Skies skies_;
   LightSelection selection_{{}};  ///< area lights, Dirac lights, skies
   std::vector<LightInfo> info_;
@@ -92,17 +103,18 @@ class LightSet {
 template <class F>
 Emission<F> LightSet::skyEmission(const ScatterPoint<F>& from, const Vec3<F>& direction) const {
   if (!hasSky()) return {};
-  const float probability = selection_.probability(areas_.size() + diracs_.size());
+  const float probability = selection_.probability(skyIndex());
   const F pdf = probability > 0.0f ? F(probability) * skies_.pdf(from.geometricNormal, direction) : F(0.0f);
   return {skies_.radiance(direction), pdf};
 }
 
 template <class F>
 LightSample<F> LightSet::sampleOne(std::size_t index, const ScatterPoint<F>& from, Vec2<F> u) const {
-  if (index < areas_.size()) return areas_[index].sample(from, u);
-  if (index < areas_.size() + diracs_.size()) {
+  const AreaLights& areas = lights_->areas;
+  if (index < areas.size()) return areas[index].sample(from, u);
+  if (index < skyIndex()) {
     return std::visit([&](const auto& light) { return sampleLight(light, from.position); },
-                      diracs_[index - areas_.size()]);
+                      lights_->diracs[index - areas.size()]);
   }
   return skies_.sample(from.geometricNormal, u);
 }
@@ -117,7 +129,7 @@ LightSample<F> LightSet::sample(const ScatterPoint<F>& from, const LightRandom<F
   }
   const auto [index, probability] = selection_.choose(random.select);
   MaskOf<F> left = active & (probability > F(0.0f));
-  // Light by light of those that were chosen: mostly one, or as many as there are lanes.
+  // Each chosen light once, for all lanes that chose it.
   for (int i = 0; i < widthOf<F>; ++i) {
     if (!lane(left, i)) continue;
     const std::uint32_t chosen = lane(index, i);

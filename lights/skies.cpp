@@ -14,6 +14,21 @@ Skies::Skies(const SceneDescription& scene, bool sampleSmooth, bool samplePictur
       parts_.push_back({EnvironmentMap(*image, samplePictures), samplePictures});
   }
   if (hasSmooth) parts_.push_back({smooth, sampleSmooth});
+  setShares();
+}
+
+Skies::Skies(const Skies& skies, bool sampleSmooth, bool samplePictures) {
+  for (const Part& part : skies.parts_) {
+    if (const auto* picture = std::get_if<EnvironmentMap>(&part.sky)) {
+      parts_.push_back({EnvironmentMap(*picture, samplePictures), samplePictures});
+    } else {
+      parts_.push_back({part.sky, sampleSmooth});
+    }
+  }
+  setShares();
+}
+
+void Skies::setShares() {
   std::vector<float> weights;
   for (const Part& part : parts_) {
     const Rgb total = std::visit([](const auto& sky) { return sky.total(); }, part.sky);

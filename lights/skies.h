@@ -1,5 +1,5 @@
 #pragma once
-/// All skies of a scene: one light.
+/// All skies of a scene as one light.
 #include <cstddef>
 #include <optional>
 #include <variant>
@@ -11,28 +11,31 @@
 
 namespace steradian {
 
-/// They lie behind one another, so that their radiances add up. Sampling chooses one of those that it may choose from,
-/// by power, and a direction by its density; the density of the direction is the sum over all of them.
+/// All are infinitely far away, so their radiances add up. Sampling chooses one of the skies that are sampled, by
+/// power, and a direction by its pdf; the pdf of that direction is the weighted sum over all of them.
 class Skies {
  public:
-  /// Those of the scene. Which of them are sampled: the constant and gradient ones, those that are pictures.
+  /// The skies of the scene, and which are sampled: constant and gradient ones, environment maps.
   Skies(const SceneDescription& scene, bool sampleSmooth, bool samplePictures);
+  /// The same skies, others of which are sampled; pictures and their tables are shared.
+  Skies(const Skies& skies, bool sampleSmooth, bool samplePictures);
 
-  /// There are none.
+  /// Whether there are none.
   bool empty() const { return parts_.empty(); }
 
   /// W sr^-1 m^-2, from a unit direction.
   template <class F>
   Spectrum<F> radiance(Vec3<F> direction) const;
 
-  /// A direction, for a surface with this normal or (zero) a free point; weight: radiance of all skies / density.
+  /// A direction, from a surface with this normal or (normal zero) a point in a medium; weight: radiance of all skies /
+  /// pdf.
   template <class F>
   LightSample<F> sample(Vec3<F> normal, Vec2<F> u) const;
-  /// The density of that, per sr.
+  /// The pdf of sample(), per sr.
   template <class F>
   F pdf(Vec3<F> normal, Vec3<F> wi) const;
 
-  /// Power that enters a sphere of this radius, W per channel: of all, and of those that are sampled.
+  /// The power that enters a sphere of this radius, W per channel: of all skies, and of those that are sampled.
   Rgb power(float sceneRadius) const;
   Rgb sampledPower(float sceneRadius) const;
 
@@ -42,6 +45,8 @@ class Skies {
     bool sampled;
     float share = 0.0f;  ///< the probability of being chosen
   };
+  /// Sets the shares of the parts, by their power.
+  void setShares();
 
   template <class F>
   static Spectrum<F> radianceOf(const Part& part, Vec3<F> direction) {
@@ -64,12 +69,12 @@ class Skies {
   static EnvironmentMap::Sample<F> sampleOf(const EnvironmentMap& picture, Vec3<F>, Vec2<F> u) {
     return picture.sample(u);
   }
-  /// A direction by the density of one of the parts.
+  /// Samples a direction by the pdf of the part `chosen`.
   template <class F>
-  LightSample<F> sampleBy(std::size_t chosen, Vec3<F> normal, Vec2<F> u) const;
+  LightSample<F> sampleFrom(std::size_t chosen, Vec3<F> normal, Vec2<F> u) const;
 
   std::vector<Part> parts_;
-  /// Which part to sample, over [0, number of parts); none if there is no choice.
+  /// The distribution of parts to sample, over [0, number of parts); none if at most one is sampled.
   std::optional<PiecewiseConstant1D> choice_;
 };
 
@@ -91,7 +96,7 @@ F Skies::pdf(Vec3<F> normal, Vec3<F> wi) const {
 }
 
 template <class F>
-LightSample<F> Skies::sampleBy(std::size_t chosen, Vec3<F> normal, Vec2<F> u) const {
+LightSample<F> Skies::sampleFrom(std::size_t chosen, Vec3<F> normal, Vec2<F> u) const {
   const Part& own = parts_[chosen];
   const auto drawn = std::visit([&](const auto& sky) { return sampleOf(sky, normal, u); }, own.sky);
   const Vec3<F> wi = drawn.direction.wi;
@@ -111,7 +116,7 @@ template <class F>
 LightSample<F> Skies::sample(Vec3<F> normal, Vec2<F> u) const {
   if (!choice_) {
     for (std::size_t i = 0; i < parts_.size(); ++i) {
-      if (parts_[i].share > 0.0f) return sampleBy(i, normal, u);
+      if (parts_[i].share > 0.0f) return sampleFrom(i, normal, u);
     }
     return {};
   }
@@ -121,7 +126,7 @@ LightSample<F> Skies::sample(Vec3<F> normal, Vec2<F> u) const {
   for (std::size_t i = 0; i < parts_.size(); ++i) {
     const MaskOf<F> mine = choice.bin == UintOf<F>(static_cast<std::uint32_t>(i));
     if (!any(mine)) continue;
-    const LightSample<F> s = sampleBy(i, normal, Vec2<F>{rest, u.y});
+    const LightSample<F> s = sampleFrom(i, normal, Vec2<F>{rest, u.y});
     sample.weight = select(mine, s.weight, sample.weight);
     sample.wi = select(mine, s.wi, sample.wi);
     sample.distance = select(mine, s.distance, sample.distance);

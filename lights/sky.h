@@ -1,5 +1,5 @@
 #pragma once
-/// Smooth skies: radiance from infinitely far away, constant or linear in the height of the direction.
+/// Smooth skies: radiance from infinitely far away, constant or linear in the y of the direction.
 #include "steradian/core/math/frame.h"
 #include "steradian/core/sampling/warp.h"
 #include "steradian/core/scene/description.h"
@@ -7,8 +7,7 @@
 
 namespace steradian {
 
-/// All smooth skies of a scene in one: they lie behind one another, so their radiances add up to one that is linear in
-/// y again.
+/// All smooth skies of a scene in one: their radiances add up, and the sum is linear in y again.
 struct Sky {
   Rgb nadir{}, zenith{};
 
@@ -26,15 +25,15 @@ struct Sky {
   Rgb total() const { return (nadir + zenith) * (0.5f * kFourPi); }
 };
 
-/// The density with which skies are sampled: |cos| / 2 pi about the line of the normal, on both sides of the surface,
-/// as nothing here knows which of them scatters; 1 / 4 pi for a free point (normal zero).
+/// The pdf with which smooth skies are sampled: |cos| / 2 pi with the normal, on both sides of the surface, since
+/// lights do not know to which side it scatters; 1 / 4 pi for a point in a medium (normal zero).
 template <class F>
 F skyPdf(Vec3<F> normal, Vec3<F> wi) {
   const MaskOf<F> free = lengthSquared(normal) == F(0.0f);
   return select(free, F(kInvFourPi), absDot(normal, wi) * F(kInvTwoPi));
 }
 
-/// A direction with the density skyPdf, per sr.
+/// A direction with the pdf skyPdf, per sr.
 template <class F>
 DirectionSample<F> sampleSky(Vec3<F> normal, Vec2<F> u) {
   const MaskOf<F> free = lengthSquared(normal) == F(0.0f);

@@ -1,10 +1,8 @@
 #include "steradian/lights/target_set.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "steradian/accel/shapes/sampling/sampled_shape_at.h"
-#include "steradian/lights/area_lights.h"
 
 namespace steradian {
 namespace {
@@ -29,39 +27,33 @@ struct Object {
   }
 };
 
-Object lightsOf(const SceneDescription& scene) {
-  const AreaLights lights(scene);
+Object objectOf(const AreaLights& lights) {
   Object object;
   for (std::size_t i = 0; i < lights.size(); ++i) object.add(lights[i].shape(), luminance(lights[i].power()));
   return object;
 }
 
-void addShape(const SceneDescription& scene, Id shape, Object& object) {
+void addShape(const SceneDescription& scene, const Placements& placements, Id shape, Object& object) {
   const ShapeDescription& description = scene.shapes[shape];
-  const bool inGroup = shapesInGroups(scene)[shape];
-  const auto add = [&](SampledShape placed) {
-    const float area = placed.area();
-    object.add(std::move(placed), area);
-  };
   for (std::size_t i = 0; i < primitiveCount(description.geometry); ++i) {
-    if (!inGroup) add(sampledShapeOf(description, i));
-    for (const InstanceSet& set : scene.instances) {
-      const std::vector<Id>& members = scene.groups[set.group].shapes;
-      if (std::find(members.begin(), members.end(), shape) == members.end()) continue;
-      for (std::size_t copy = 0; copy < set.transforms.size(); ++copy) add(sampledShapeOf(description, i, &set, copy));
-    }
+    placements.forEachPlaceOf(shape, [&](const ShapePlacement& place) {
+      SampledShape placed = sampledShapeOf(description, i, place.instance);
+      const float area = placed.area();
+      object.add(std::move(placed), area);
+    });
   }
 }
 
 /// All shapes of one name are one object.
-Object objectOf(const SceneDescription& scene, const std::string& name) {
-  if (name == kLights) return lightsOf(scene);
+Object objectOf(const SceneDescription& scene, const AreaLights& lights, const std::string& name) {
+  if (name == kLights) return objectOf(lights);
+  const Placements placements(scene);
   Object object;
   bool found = false;
   for (Id shape = 0; shape < scene.shapes.size(); ++shape) {
     if (scene.shapes[shape].name != name) continue;
     found = true;
-    addShape(scene, shape, object);
+    addShape(scene, placements, shape, object);
   }
   if (found) return object;
   std::vector<std::string> names{kLights};
@@ -74,17 +66,18 @@ Object objectOf(const SceneDescription& scene, const std::string& name) {
   throw Error(ErrorKind::Usage, diagnostic);
 }
 
-std::vector<Object> objectsOf(const SceneDescription& scene, std::span<const std::string> names,
-                              TargetSet::Unnamed unnamed) {
+std::vector<Object> objectsOf(const SceneDescription& scene, const AreaLights& lights,
+                              std::span<const std::string> names, TargetSet::Unnamed unnamed) {
   std::vector<Object> objects;
-  for (const std::string& name : names) objects.push_back(objectOf(scene, name));
+  for (const std::string& name : names) objects.push_back(objectOf(scene, lights, name));
   if (!names.empty()) return objects;
-  const bool butLights = unnamed == TargetSet::Unnamed::FlaggedButLights;
+  const Placements placements(scene);
+  const bool nonEmitters = unnamed == TargetSet::Unnamed::FlaggedNonEmitters;
   for (Id shape = 0; shape < scene.shapes.size(); ++shape) {
     const ShapeDescription& s = scene.shapes[shape];
-    if (s.target && (s.emission == kNone || !butLights)) addShape(scene, shape, objects.emplace_back());
+    if (s.target && (s.emission == kNone || !nonEmitters)) addShape(scene, placements, shape, objects.emplace_back());
   }
-  if (objects.empty() && !butLights) objects.push_back(lightsOf(scene));
+  if (objects.empty() && !nonEmitters) objects.push_back(objectOf(lights));
   return objects;
 }
 
@@ -100,6 +93,10 @@ TargetGroup groupOf(std::vector<Object> objects) {
 }  // namespace
 
 TargetSet::TargetSet(const SceneDescription& scene, std::span<const std::string> names, Unnamed unnamed)
-    : members_(groupOf(objectsOf(scene, names, unnamed))) {}
+    : TargetSet(scene, AreaLights(scene), names, unnamed) {}
+
+TargetSet::TargetSet(const SceneDescription& scene, const AreaLights& lights, std::span<const std::string> names,
+                     Unnamed unnamed)
+    : members_(groupOf(objectsOf(scene, lights, names, unnamed))) {}
 
 }  // namespace steradian

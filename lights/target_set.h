@@ -6,6 +6,7 @@
 
 #include "steradian/accel/shapes/sampling/hittable_pdf.h"
 #include "steradian/core/scene/description.h"
+#include "steradian/lights/area_lights.h"
 
 namespace steradian {
 
@@ -13,30 +14,33 @@ namespace steradian {
 /// - all area lights together, chosen among in proportion to the luminance of their power; or
 /// - a shape of the description, with all primitives of its set and all its instances, in proportion to their area.
 ///
-/// The density is the marginal one: the probability-weighted sum over all members that the line meets, hit first or
-/// not, from whichever side.
+/// The pdf is the marginal one: the sum, weighted by their probabilities, over all primitives that the line intersects,
+/// from either side and occluded or not.
 class TargetSet {
  public:
-  /// What to aim at where no names are given: what the description flags as a target.
+  /// The targets if no names are given: those that the description flags (ShapeDescription::target).
   enum class Unnamed {
-    FlaggedOrLights,  ///< or else the lights
-    FlaggedButLights  ///< of that what does not emit: lights are sampled otherwise
+    FlaggedOrLights,    ///< if there are none, the lights
+    FlaggedNonEmitters  ///< without those that emit, which are sampled as lights
   };
   /// The objects that have these names: shapes, or "lights". Throws Error: Usage for a name that nothing has, with a
   /// suggestion; Scene for custom shapes.
   explicit TargetSet(const SceneDescription& scene, std::span<const std::string> names = {},
                      Unnamed unnamed = Unnamed::FlaggedOrLights);
+  /// The same, with the area lights of this scene where they exist already (LightSet::areas()).
+  TargetSet(const SceneDescription& scene, const AreaLights& lights, std::span<const std::string> names,
+            Unnamed unnamed);
 
-  /// Without a distance, as a direction may meet several members. Lanes that are not active have no sample.
+  /// The sample has no distance, as a line may intersect several targets. Lanes that are not active have no sample.
   template <class F>
   DirectionSample<F> sampleDirection(const ScatterPoint<F>& from, const LightRandom<F>& random,
                                      MaskOf<F> active = MaskOf<F>(true)) const;
-  /// The density of that, per sr; of lanes that are not active any. It takes time in proportion to the number of
-  /// members.
+  /// The pdf of sampleDirection(), per sr; undefined in lanes that are not active. It takes time in proportion to
+  /// size().
   template <class F>
   F pdfDirection(const ScatterPoint<F>& from, Vec3<F> wi, MaskOf<F> active = MaskOf<F>(true)) const;
 
-  /// Nothing to sample: no targets, no lights, or lights without power.
+  /// Whether there is nothing to sample: no targets, no lights, or lights without power.
   bool empty() const { return members_.empty(); }
   std::size_t size() const { return members_.shapes().size(); }
 

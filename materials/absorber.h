@@ -1,5 +1,5 @@
 #pragma once
-/// Scatters nothing: the usual body of a light.
+/// Absorbs all light: the usual material of an area light.
 #include "steradian/core/transport/scattering.h"
 
 namespace steradian {

@@ -16,26 +16,31 @@
 
 namespace steradian {
 
-/// Whether light samples alone may estimate the continuous part of a model, as the strategy `light` does. False where
-/// there is none, and for fuzzy metal, whose value is unbounded: there the variance would be infinite.
+/// The one list of models: for points one by one (F = float) or in lanes. What has to match it is derived from it, or a
+/// static_assert or a switch over its alternatives does not compile.
 template <class F>
-MaskOf<F> samplesLights(const Absorber<F>&, Vec3<F>) {
+using BsdfModels = std::variant<Absorber<F>, Lambert<F>, Mirror<F>, FuzzyMetal<F>, Dielectric<F>, SchlickDielectric<F>,
+                                Coated<F>, UniformDiffuse<F>>;
+
+/// Whether the strategy `light`, which samples lights only, may estimate the continuous part of a model. False for
+/// models without a continuous part, and for fuzzy metal, whose value is unbounded: the variance would be infinite.
+template <class F>
+MaskOf<F> suitsLightSampling(const Absorber<F>&, Vec3<F>) {
   return false;
 }
 template <class F>
-MaskOf<F> samplesLights(const FuzzyMetal<F>& model, Vec3<F>) {
+MaskOf<F> suitsLightSampling(const FuzzyMetal<F>& model, Vec3<F>) {
   return model.fuzz == F(1.0f);
 }
 template <class F, class Model>
-MaskOf<F> samplesLights(const Model& model, Vec3<F> localWo) {
+MaskOf<F> suitsLightSampling(const Model& model, Vec3<F> localWo) {
   return model.diracProbability(localWo) < F(1.0f);
 }
 
-/// Directions and sides as in ShadingFrame.
+/// A model on a surface. Directions are as in ShadingFrame.
 class Bsdf {
  public:
-  using Model = std::variant<Absorber<float>, Lambert<float>, Mirror<float>, FuzzyMetal<float>, Dielectric<float>,
-                             Coated<float>, UniformDiffuse<float>>;
+  using Model = BsdfModels<float>;
 
   /// Both normals are unit and outward. A model takes the shading normal for its z axis.
   Bsdf(const Model& model, Vec3f geometricNormal, Vec3f shadingNormal)
@@ -44,18 +49,18 @@ class Bsdf {
   /// Draws wi. The sample is Dirac if random.lobe < diracProbability(wo), else continuous.
   BsdfSample<float> sample(Vec3f wo, const BsdfRandom<float>& random, Transport transport) const;
 
-  /// The continuous part: f |cos|, and the density with which sample() draws wi, the probability of its not being Dirac
-  /// included. For a direction wi of any other density q, value / q is the weight of a sample.
+  /// The continuous part: f |cos|, and the pdf of wi under sample(), which includes the probability that the sample is
+  /// not Dirac. A direction wi that was drawn from another pdf q has the weight value / q.
   BsdfValue<float> eval(Vec3f wo, Vec3f wi, Transport transport) const;
 
-  /// Probability that sample() takes a Dirac lobe; 0 or 1 for all models but the coated one.
+  /// Probability that sample() chooses a Dirac lobe; 0 or 1 for all models but Coated.
   float diracProbability(Vec3f wo) const;
 
-  /// See samplesLights above.
-  bool samplesLights(Vec3f wo) const;
+  /// See suitsLightSampling above.
+  bool suitsLightSampling(Vec3f wo) const;
 
-  /// The share of light from all around that is reflected or transmitted, for the albedo picture: exact but for fuzzy
-  /// metal's absorption below the horizon.
+  /// The fraction of uniform illumination that is reflected or transmitted towards wo, for the albedo picture. Exact,
+  /// except that what fuzzy metal absorbs below the horizon is not subtracted.
   Rgb albedo(Vec3f wo) const;
 
   Vec3f shadingNormal() const { return frame_.shadingNormal(); }
@@ -66,17 +71,18 @@ class Bsdf {
   ShadingFrame<float> frame_;
 };
 
-/// The index of a model in Bsdf::Model.
+/// The index of a model at width 1 in Bsdf::Model.
 template <class Model>
 constexpr std::uint32_t indexOfModel() {
   return []<std::size_t... i>(std::index_sequence<i...>) {
+    static_assert((std::is_same_v<Model, std::variant_alternative_t<i, Bsdf::Model>> + ...) == 1, "not in the list");
     return static_cast<std::uint32_t>(
         ((std::is_same_v<Model, std::variant_alternative_t<i, Bsdf::Model>> ? i : 0) + ...));
   }
   (std::make_index_sequence<std::variant_size_v<Bsdf::Model>>{});
 }
 
-// In the header: the path loop calls these per bounce, and is compiled for the models it meets.
+// In the header, to be inlined: the path loop calls these at every bounce.
 
 inline BsdfSample<float> Bsdf::sample(Vec3f wo, const BsdfRandom<float>& random, Transport transport) const {
   return std::visit([&](const auto& model) { return frame_.sample(model, wo, random, transport); }, model_);
@@ -91,8 +97,9 @@ inline float Bsdf::diracProbability(Vec3f wo) const {
   return std::visit([&](const auto& model) { return model.diracProbability(localWo); }, model_);
 }
 
-inline bool Bsdf::samplesLights(Vec3f wo) const {
-  return std::visit([&](const auto& model) { return steradian::samplesLights(model, frame_.toLocal(wo)); }, model_);
+inline bool Bsdf::suitsLightSampling(Vec3f wo) const {
+  return std::visit([&](const auto& model) { return steradian::suitsLightSampling(model, frame_.toLocal(wo)); },
+                    model_);
 }
 
 }  // namespace steradian

@@ -1,25 +1,30 @@
 #pragma once
-/// Smooth interface between two dielectrics: reflects and refracts, chosen with Fresnel's probability.
+/// Smooth interface between two dielectrics. Samples reflect with the probability of the Fresnel reflectance and
+/// refract otherwise.
 ///
-/// Refraction compresses radiance: it grows with the square of the index, so Transport::Radiance divides by eta^2 (the
-/// index behind over that before the interface). Between entering and leaving a body this cancels; the books leave it
-/// out. Transport::Importance carries power, which is not scaled (Veach 1997, 5.2).
+/// Radiance scales with the square of the refractive index of the medium, so Transport::Radiance divides by eta^2
+/// (index on the side of wi over that on the side of wo) where it refracts. Between entering and leaving a body this
+/// cancels; the books leave it out. Transport::Importance is not scaled (Veach 1997, 5.2).
 #include "steradian/core/transport/scattering.h"
 #include "steradian/materials/fresnel.h"
 #include "steradian/materials/local_frame.h"
 
 namespace steradian {
 
-template <class F>
+/// `schlick`: reflects by Schlick's approximation with the books' cosine (see fresnelSchlick); else by Fresnel's
+/// formulas.
+template <class F, bool schlick = false>
 struct Dielectric {
-  F eta;                 ///< index on the side that the normal leaves from over that on the side it points to
-  bool schlick = false;  ///< Schlick's approximation with the books' cosine; else exact
+  F eta;  ///< refractive index below the surface over that above, where the normal points to
+
+  /// Makes an index that is relative to vacuum relative to that of the medium outside.
+  void setOutsideEta(F outsideEta) { eta = eta / outsideEta; }
 
   BsdfSample<F> sample(Vec3<F> wo, const BsdfRandom<F>& random, Transport transport) const {
     const F side = copySign(F(1.0f), wo.z);
     const F cosine = minimum(absolute(wo.z), F(1.0f));
     const F ratio = select(wo.z > F(0.0f), eta, F(1.0f) / eta);
-    const MaskOf<F> reflects = random.lobe < reflectedShare(wo);
+    const MaskOf<F> reflects = random.lobe < reflectionProbability(wo);
     const F inverse = F(1.0f) / ratio;
     const F transmitted = refractedCosine(cosine, ratio);
     // Snell: the tangential part shrinks with the index; renormalised, as rounding at grazing angles adds up.
@@ -38,11 +43,15 @@ struct Dielectric {
   Spectrum<F> albedo(Vec3<F>) const { return grey(F(1.0f)); }
 
   /// Probability that sample() reflects.
-  F reflectedShare(Vec3<F> wo) const {
+  F reflectionProbability(Vec3<F> wo) const {
     const F cosine = minimum(absolute(wo.z), F(1.0f));
     const F ratio = select(wo.z > F(0.0f), eta, F(1.0f) / eta);
-    return schlick ? fresnelSchlick(cosine, ratio) : fresnelDielectric(cosine, ratio);
+    if constexpr (schlick) return fresnelSchlick(cosine, ratio);
+    return fresnelDielectric(cosine, ratio);
   }
 };
+
+template <class F>
+using SchlickDielectric = Dielectric<F, true>;
 
 }  // namespace steradian

@@ -3,18 +3,19 @@
 /// fuzz, with uniform density. What falls below the horizon is absorbed.
 ///
 /// Closed density. A direction w at the angle t < 90 degrees from m leaves the sphere about m at the distances
-/// r = cos t +- q, q = sqrt(f^2 - sin^2 t), where sin t < f. There the sphere stands under the cosine q / f, so each of
-/// the two points carries r^2 / (4 pi f^2) / (q / f) per steradian, and together they make
+/// r = cos t +- q, q = sqrt(f^2 - sin^2 t), where sin t < f. It crosses the sphere there at an angle of cosine q / f to
+/// the sphere's normal, so each of the two points has the density r^2 / (4 pi f^2) / (q / f) per steradian. Their sum
+/// is
 ///
 ///     p(w) = (cos^2 t + q^2) / (2 pi f q) = (cos 2t + f^2) / (2 pi f sqrt(f^2 - sin^2 t)).
 ///
-/// With f = 1 the nearer point is the centre of projection, and p is cos t / pi. The share of the directions within the
-/// angle t is 1 - q cos t / f.
+/// With f = 1 the nearer point is the surface point itself, and p is cos t / pi. The probability of a direction within
+/// the angle t is 1 - q cos t / f.
 ///
 /// The model is defined by what it does to a path from the camera: value = reflectance p above the horizon. It is not
 /// reciprocal; Transport::Importance uses its adjoint, which is value |cos wi| / |cos wo|, since p is symmetric.
 /// At the edge of the cone p is infinite (integrable): `light` must not rely on light samples alone (see
-/// samplesLights in bsdf.h).
+/// suitsLightSampling in bsdf.h).
 #include "steradian/core/transport/scattering.h"
 #include "steradian/materials/local_frame.h"
 
@@ -22,7 +23,7 @@ namespace steradian {
 
 template <class F>
 struct FuzzyMetal {
-  /// Below this the cone is as narrow as the rounding of directions: use Mirror.
+  /// Below this the cone of directions is as narrow as rounding errors: use Mirror.
   static constexpr float minFuzz = 1e-4f;
 
   Spectrum<F> reflectance;  ///< 0..1
@@ -34,14 +35,14 @@ struct FuzzyMetal {
     const F squared = lengthSquared(sum);
     const MaskOf<F> found = squared > F(1e-12f);
     const Vec3<F> wi = sum * (F(1.0f) / squareRoot(maximum(squared, F(1e-12f))));
-    const F pdf = select(found & sameSide(wo, wi), density(mirror, wi), F(0.0f));
+    const F pdf = select(found & sameHemisphere(wo, wi), density(mirror, wi), F(0.0f));
     const MaskOf<F> valid = pdf > F(0.0f);
     return {reflectance * adjointFactor(wo, wi, transport), wi, pdf,
             select(valid, Lobe<F>(kLobeReflection | kLobeGlossy), Lobe<F>(0u)), F(1.0f)};
   }
 
   BsdfValue<F> eval(Vec3<F> wo, Vec3<F> wi, Transport transport) const {
-    const F pdf = select(sameSide(wo, wi), density(mirrored(wo), wi), F(0.0f));
+    const F pdf = select(sameHemisphere(wo, wi), density(mirrored(wo), wi), F(0.0f));
     return {reflectance * (pdf * adjointFactor(wo, wi, transport)), pdf};
   }
 
@@ -49,10 +50,11 @@ struct FuzzyMetal {
   Spectrum<F> albedo(Vec3<F>) const { return reflectance; }
 
  private:
-  /// p(w), for both hemispheres about the surface. Rounding blurs the edge of the cone by about 1e-7 in sin t: q^2 is
-  /// kept above a width of that order, and the cone reaches as far beyond its edge, so that no sample falls outside.
-  /// This takes and gives the same share of the directions: the integral of d(q^2) / q is 2 sqrt(d) over the last d of
-  /// the sharp edge and sqrt(d) + sqrt(d) over the blurred one.
+  /// p(w), also below the surface. Rounding moves sampled directions by about 1e-7 in sin t, some of them out of the
+  /// cone. So q^2 is kept above a width d of that order, and the cone is made wider by d, so that no sample has density
+  /// 0. The integral of p stays the same: that of d(q^2) / q is 2 sqrt(d) over the last d of the sharp edge, and
+  /// sqrt(d)
+  /// + sqrt(d) over both sides of the blurred one.
   F density(Vec3<F> mirror, Vec3<F> wi) const {
     const F sinSquared = lengthSquared(cross(mirror, wi));
     const F width = F(3e-7f) * fuzz;

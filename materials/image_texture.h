@@ -1,12 +1,12 @@
 #pragma once
-/// Image textures: colours over (u, v), looked up.
+/// Image textures, prepared for lookup by (u, v).
 #include "steradian/core/colour/colour_image.h"
 #include "steradian/core/scene/description.h"
 
 namespace steradian {
 
-/// The centre of the pixel in column i is at u = (i + 1/2) / width; where v is 0 the picture has its lower edge.
-/// Nothing is filtered over the footprint of a ray: the samples of a pixel do that.
+/// The centre of the pixel in column i is at u = (i + 1/2) / width; v = 0 is the lower edge of the picture. There are
+/// no mip maps and no filter over the footprint of a ray: averaging the samples of a pixel does that.
 class ImageTextureLookup {
  public:
   /// The texture must be valid (see validate()).

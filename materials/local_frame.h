@@ -4,21 +4,21 @@
 
 namespace steradian {
 
-/// Both directions lie on one side of the surface, and neither in it.
+/// Both directions are strictly on the same side of the surface.
 template <class F>
-inline MaskOf<F> sameSide(Vec3<F> a, Vec3<F> b) {
+inline MaskOf<F> sameHemisphere(Vec3<F> a, Vec3<F> b) {
   return a.z * b.z > F(0.0f);
 }
 
-/// The mirror image of wo about the normal.
+/// The direction of ideal specular reflection: wo reflected about the normal.
 template <class F>
 inline Vec3<F> mirrored(Vec3<F> wo) {
   return {-wo.x, -wo.y, wo.z};
 }
 
-/// A direction of density |cos| / pi on the side of the surface that wo is on.
+/// A direction in the hemisphere of wo, with the pdf |cos| / pi.
 template <class F>
-inline Vec3<F> cosineAboutSide(Vec3<F> wo, Vec2<F> u) {
+inline Vec3<F> sampleCosineHemisphere(Vec3<F> wo, Vec2<F> u) {
   const Vec3<F> upper = CosineHemisphere<F>::sample(u);
   return {upper.x, upper.y, copySign(upper.z, wo.z)};
 }

@@ -1,6 +1,6 @@
 #include "steradian/materials/material_set.h"
 
-#include <type_traits>
+#include <variant>
 
 namespace steradian {
 namespace {
@@ -10,19 +10,22 @@ struct Compiled {
   Id texture = kNone;  ///< what the model's colour is read from
 };
 
-Compiled compile(const MaterialModel& material) {
-  if (const auto* m = std::get_if<LambertMaterial>(&material)) return {Lambert<float>{}, m->reflectance};
-  if (const auto* m = std::get_if<UniformDiffuseMaterial>(&material)) return {UniformDiffuse<float>{}, m->reflectance};
-  if (const auto* m = std::get_if<MetalMaterial>(&material)) {
-    if (m->fuzz < FuzzyMetal<float>::minFuzz) return {Mirror<float>{}, m->reflectance};
-    return {FuzzyMetal<float>{{}, minimum(m->fuzz, 1.0f)}, m->reflectance};
-  }
-  if (const auto* m = std::get_if<DielectricMaterial>(&material)) return {Dielectric<float>{m->eta, m->schlick}, kNone};
-  if (const auto* m = std::get_if<CoatedMaterial>(&material)) {
-    const auto internal = static_cast<float>(1.0 - diffuseTransmittance(1.0 / static_cast<double>(m->eta)));
-    return {Coated<float>{{}, m->eta, internal}, m->reflectance};
-  }
-  return {Absorber<float>{}, kNone};
+Compiled compile(const AbsorberMaterial&) { return {Absorber<float>{}, kNone}; }
+/// Nothing is shaded there: paths cross it.
+Compiled compile(const InterfaceMaterial&) { return {Absorber<float>{}, kNone}; }
+Compiled compile(const LambertMaterial& m) { return {Lambert<float>{}, m.reflectance}; }
+Compiled compile(const UniformDiffuseMaterial& m) { return {UniformDiffuse<float>{}, m.reflectance}; }
+Compiled compile(const MetalMaterial& m) {
+  if (m.fuzz < FuzzyMetal<float>::minFuzz) return {Mirror<float>{}, m.reflectance};
+  return {FuzzyMetal<float>{{}, minimum(m.fuzz, 1.0f)}, m.reflectance};
+}
+Compiled compile(const DielectricMaterial& m) {
+  if (m.schlick) return {SchlickDielectric<float>{m.eta}, kNone};
+  return {Dielectric<float>{m.eta}, kNone};
+}
+Compiled compile(const CoatedMaterial& m) {
+  const auto internal = static_cast<float>(1.0 - diffuseTransmittance(1.0 / static_cast<double>(m.eta)));
+  return {Coated<float>{{}, m.eta, internal}, m.reflectance};
 }
 
 void setReflectance(Bsdf::Model& model, Rgb colour) {
@@ -33,12 +36,20 @@ void setReflectance(Bsdf::Model& model, Rgb colour) {
       model);
 }
 
+void setOutsideEta(Bsdf::Model& model, float outsideEta) {
+  std::visit(
+      [&](auto& m) {
+        if constexpr (requires { m.setOutsideEta(outsideEta); }) m.setOutsideEta(outsideEta);
+      },
+      model);
+}
+
 }  // namespace
 
 MaterialSet::MaterialSet(const SceneDescription& scene) : textures_(scene.textures) {
   entries_.reserve(scene.materials.size());
   for (const MaterialDescription& material : scene.materials) {
-    Compiled compiled = compile(material.model);
+    Compiled compiled = std::visit([](const auto& m) { return compile(m); }, material.model);
     if (const auto colour = textures_.constant(compiled.texture)) {
       setReflectance(compiled.model, *colour);
       compiled.texture = kNone;
@@ -54,7 +65,7 @@ Bsdf MaterialSet::bsdf(const SurfacePoint<float>& at, Vec3f wo, float outsideEta
   if (entry.texture == kNone && outsideEta == 1.0f) return {entry.model, at.geometricNormal, shadingNormal};
   Bsdf::Model model = entry.model;
   if (entry.texture != kNone) setReflectance(model, textures_.value(entry.texture, at));
-  if (auto* dielectric = std::get_if<Dielectric<float>>(&model)) dielectric->eta /= outsideEta;
+  setOutsideEta(model, outsideEta);
   return {model, at.geometricNormal, shadingNormal};
 }
 

@@ -13,9 +13,9 @@ class MaterialSet {
   /// The description must be valid (see validate()).
   explicit MaterialSet(const SceneDescription& scene);
 
-  /// Textures are resolved here. `wo` decides the frame only where the shading normal, but not the geometric one, turns
-  /// away from it: there the geometric normal is used for both. A point without material absorbs. A dielectric's index
-  /// is relative to `outsideEta`.
+  /// The BSDF at a point, with its textures looked up. Where `wo` is on different sides of the surface by the shading
+  /// normal and by the geometric one, the geometric normal shades too (see usableShadingNormal). A point without a
+  /// material absorbs. A dielectric's refractive index is divided by `outsideEta`, that of the medium outside.
   Bsdf bsdf(const SurfacePoint<float>& at, Vec3f wo, float outsideEta = 1.0f) const;
 
   std::size_t size() const { return entries_.size(); }

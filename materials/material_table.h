@@ -1,29 +1,32 @@
 #pragma once
-/// The materials of a scene for several points at once: their parameters in rows to gather from, and the models that
+/// The materials of a scene for several points at once: their parameters in tables to gather from, and the models that
 /// occur.
 #include <array>
 #include <cstdint>
-#include <optional>
-#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
 
 #include "steradian/materials/material_set.h"
+#include "steradian/materials/model_parameters.h"
 
 namespace steradian {
 
+/// A material takes as much room as its model has parameters. The first three are stored beside the index of the model,
+/// the others in blocks of four, which only the models that have them read.
 class MaterialTable {
  public:
-  /// `materials` must outlive the table.
+  /// `materials` must outlive the table. Throws Error (Scene) for more than 2^29 parameters that are not a material's
+  /// first three.
   explicit MaterialTable(const MaterialSet& materials);
 
-  /// What the materials of the lanes are made of. A model reads what it needs.
+  /// What the materials of the lanes are made of.
   template <class F>
   struct Parameters {
-    UintOf<F> model;  ///< which one: the index in Bsdf::Model
-    Spectrum<F> reflectance;
-    F eta, fuzz, internalReflectance, schlick;
+    UintOf<F> model;         ///< the index in Bsdf::Model
+    std::array<F, 3> first;  ///< the first parameters of the model: its reflectance if it has one
+    UintOf<F> block;         ///< of the others, if there are any
+    F outsideEta{1.0f};      ///< index of the medium around dielectrics
   };
   /// `at` needs valid points; for some textures their uv as well (see readsUv()).
   template <class F>
@@ -32,29 +35,36 @@ class MaterialTable {
   /// Whether the texture of any material reads the uv of its points.
   bool readsUv() const { return readsUv_; }
 
-  /// Calls visit(model, mask) for each model that some active lane has, as Model<F> with the lanes' parameters.
+  /// Calls visit(model, mask) for each model that some active lane has, as a model of width F with the lanes'
+  /// parameters.
   template <class F, class Visit>
   void forEachModel(const Parameters<F>& parameters, MaskOf<F> active, const Visit& visit) const;
 
  private:
-  /// The model and its parameters as one record to gather: two blocks of four, the second for models that have more
-  /// than a colour.
+  static constexpr std::uint32_t kModelBits = 5, kFirst = 3, kBlock = 4;
+  static_assert(std::variant_size_v<Bsdf::Model> <= 1u << kModelBits);
+
+  /// What is gathered of every material.
   struct Record {
-    std::uint32_t model;
-    float red, green, blue, eta, fuzz, internalReflectance, schlick;
+    std::uint32_t modelAndBlock;  ///< the model in the lowest kModelBits
+    std::array<float, kFirst> first;
   };
 
+  void add(const Bsdf::Model& model);
   /// Sets the colours that are read from textures: noise for all its lanes at once, others one by one.
   template <class F>
   void addTextures(const SurfacePoint<F>& at, UintOf<F> material, MaskOf<F> active, Parameters<F>& parameters) const;
+  /// The model of this index, as if all lanes had it.
+  template <class F, std::size_t index>
+  auto modelOf(const Parameters<F>& p) const;
   template <class F, std::size_t index, class Visit>
   void visitModel(const Parameters<F>& p, MaskOf<F> active, const Visit& visit) const;
 
   const MaterialSet* materials_;
   std::vector<Record> records_;  ///< per material, and of none
-  std::vector<Id> textureOf_;    ///< likewise; kNone where the record has the colour
-  std::vector<bool> present_;    ///< per model
-  bool coloursOnly_ = true;      ///< no model has other parameters
+  std::vector<float> blocks_;    ///< the parameters after the first; padded so that any model can be read at any block
+  std::vector<Id> textureOf_;    ///< per material, and of none; kNone where the record has the colour
+  std::uint32_t present_ = 0;    ///< a bit per model that occurs
   bool textured_ = false;        ///< some material has a texture
   bool readsUv_ = false;
 };
@@ -63,17 +73,11 @@ template <class F>
 MaterialTable::Parameters<F> MaterialTable::parameters(const SurfacePoint<F>& at, MaskOf<F> active) const {
   const UintOf<F> none(static_cast<std::uint32_t>(materials_->size()));
   const UintOf<F> material = select(at.material < none, at.material, none);
-  static_assert(sizeof(Record) == 8 * sizeof(float));
-  const UintOf<F> place = material << 3;
-  const auto a = gather4(&records_.data()->model, place);
-  Parameters<F> p{a[0], {floatOf(a[1]), floatOf(a[2]), floatOf(a[3])}, F(1.0f), F(0.0f), F(0.0f), F(0.0f)};
-  if (!coloursOnly_) {
-    const auto b = gather4(&records_.data()->eta, place);
-    p.eta = b[0];
-    p.fuzz = b[1];
-    p.internalReflectance = b[2];
-    p.schlick = b[3];
-  }
+  static_assert(sizeof(Record) == kBlock * sizeof(float));
+  const auto a = gather4(&records_.data()->modelAndBlock, material << 2);
+  Parameters<F> p{a[0] & UintOf<F>((1u << kModelBits) - 1u),
+                  {floatOf(a[1]), floatOf(a[2]), floatOf(a[3])},
+                  a[0] >> static_cast<int>(kModelBits)};
   if (textured_) addTextures(at, material, active, p);
   return p;
 }
@@ -84,60 +88,43 @@ void MaterialTable::addTextures(const SurfacePoint<F>& at, UintOf<F> material, M
   const TextureSet& textures = materials_->textures();
   const UintOf<F> texture = gather(textureOf_.data(), material);
   MaskOf<F> left = active & (texture != UintOf<F>(kNone));
+  Spectrum<F> reflectance{p.first[0], p.first[1], p.first[2]};
   for (int i = 0; i < widthOf<F>; ++i) {
     if (!lane(left, i)) continue;
     const Id id = lane(texture, i);
     if (const NoisePattern* noise = textures.noise(id)) {
       const MaskOf<F> mine = left & (texture == UintOf<F>(id));
-      p.reflectance = select(mine, noise->value(at.position), p.reflectance);
+      reflectance = select(mine, noise->value(at.position), reflectance);
       left = left & !mine;
     } else {
-      setLane(p.reflectance, i, textures.value(id, lane(at, i)));
+      setLane(reflectance, i, textures.value(id, lane(at, i)));
     }
   }
+  p.first = {reflectance.r, reflectance.g, reflectance.b};
 }
 
-namespace detail {
-template <class F, class P>
-Absorber<F> makeModel(const P&, std::type_identity<Absorber<float>>) {
-  return {};
+template <class F, std::size_t index>
+auto MaterialTable::modelOf(const Parameters<F>& p) const {
+  constexpr std::size_t count = kParameterCount<std::variant_alternative_t<index, Bsdf::Model>>;
+  constexpr std::size_t blocks = count > kFirst ? (count - kFirst + kBlock - 1) / kBlock : 0;
+  std::array<std::array<F, kBlock>, blocks> others;
+  for (std::size_t b = 0; b < blocks; ++b) others[b] = gather4(blocks_.data() + kBlock * b, p.block << 2);
+  auto model = makeModel<std::variant_alternative_t<index, BsdfModels<F>>, count>([&](auto i) {
+    if constexpr (i < kFirst) {
+      return p.first[i];
+    } else {
+      return others[(i - kFirst) / kBlock][(i - kFirst) % kBlock];
+    }
+  });
+  if constexpr (requires { model.setOutsideEta(p.outsideEta); }) model.setOutsideEta(p.outsideEta);
+  return model;
 }
-template <class F, class P>
-Lambert<F> makeModel(const P& p, std::type_identity<Lambert<float>>) {
-  return {p.reflectance};
-}
-template <class F, class P>
-Mirror<F> makeModel(const P& p, std::type_identity<Mirror<float>>) {
-  return {p.reflectance};
-}
-template <class F, class P>
-FuzzyMetal<F> makeModel(const P& p, std::type_identity<FuzzyMetal<float>>) {
-  return {p.reflectance, p.fuzz};
-}
-template <class F, class P>
-Coated<F> makeModel(const P& p, std::type_identity<Coated<float>>) {
-  return {p.reflectance, p.eta, p.internalReflectance};
-}
-template <class F, class P>
-UniformDiffuse<F> makeModel(const P& p, std::type_identity<UniformDiffuse<float>>) {
-  return {p.reflectance};
-}
-}  // namespace detail
 
 template <class F, std::size_t index, class Visit>
 void MaterialTable::visitModel(const Parameters<F>& p, MaskOf<F> active, const Visit& visit) const {
-  using Model = std::variant_alternative_t<index, Bsdf::Model>;
-  if (!present_[index]) return;
+  if ((present_ >> index & 1u) == 0) return;
   const MaskOf<F> mine = active & (p.model == UintOf<F>(static_cast<std::uint32_t>(index)));
-  if (!any(mine)) return;
-  if constexpr (std::is_same_v<Model, Dielectric<float>>) {
-    // Which Fresnel term is not a matter of lanes.
-    const MaskOf<F> schlick = mine & (p.schlick > F(0.0f)), exact = mine & !schlick;
-    if (any(exact)) visit(Dielectric<F>{p.eta, false}, exact);
-    if (any(schlick)) visit(Dielectric<F>{p.eta, true}, schlick);
-  } else {
-    visit(detail::makeModel<F>(p, std::type_identity<Model>{}), mine);
-  }
+  if (any(mine)) visit(modelOf<F, index>(p), mine);
 }
 
 template <class F, class Visit>

@@ -6,7 +6,7 @@
 
 namespace steradian {
 
-/// What a ray goes through: a medium, or vacuum with nothing of all this.
+/// The medium that a ray travels through. In vacuum all coefficients are 0.
 template <class F>
 struct Medium {
   Spectrum<F> extinction;  ///< absorption + scattering, 1/m
@@ -16,13 +16,13 @@ struct Medium {
 
   MaskOf<F> scatters() const { return !isBlack(scattering); }
   MaskOf<F> emits() const { return !isBlack(emission); }
-  /// The share of radiance that is left after a way of `length` m (may be +inf): exp(-extinction length), the law of
-  /// Bouguer, Lambert and Beer.
+  /// The fraction of radiance that is left after `length` m (may be +inf): exp(-extinction length), the Beer-Lambert
+  /// law.
   Spectrum<F> transmittance(F length) const {
     const auto share = [&](F rate) { return select(rate > F(0.0f), exponential(-rate * length), F(1.0f)); };
     return {share(extinction.r), share(extinction.g), share(extinction.b)};
   }
-  /// The radiance that a way of `length` m sends back to its start: emission times the integral of the transmittance.
+  /// The radiance that a segment of `length` m emits towards its start: emission times the integral of transmittance.
   Spectrum<F> emitted(F length) const {
     const auto ofChannel = [&](F source, F rate) {
       const F seen = select(rate > F(0.0f), -exponentialMinusOne(-rate * length) / rate, length);
@@ -43,13 +43,13 @@ Medium<F> select(MaskOf<F> mask, const Medium<F>& a, const Medium<F>& b) {
           select(mask, a.emission, b.emission), select(mask, a.anisotropy, b.anisotropy)};
 }
 
-/// Media are known by their numbers in the description; `none()` is vacuum.
+/// The media of a scene, by their index in the description; `none()` is vacuum.
 class MediumSet {
  public:
   explicit MediumSet(const std::vector<MediumDescription>& media);
 
   std::uint32_t none() const { return static_cast<std::uint32_t>(records_.size() - 1); }
-  /// `medium`: a number of the description, or none().
+  /// `medium`: an index in the description, or none().
   template <class F>
   Medium<F> at(UintOf<F> medium) const;
 

@@ -54,7 +54,7 @@ class NoisePattern {
   }
 
  private:
-  /// Of the colour, in [0, 1].
+  /// The factor of the colour, in [0, 1].
   template <class F>
   F share(Vec3<F> position) const;
 

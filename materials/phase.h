@@ -1,13 +1,13 @@
 #pragma once
-/// How a medium scatters at one point, in world space: Henyey & Greenstein about the way the light goes.
+/// How a medium scatters at one point, in world space: the phase function of Henyey & Greenstein.
 #include "steradian/core/math/frame.h"
 #include "steradian/core/sampling/henyey_greenstein.h"
 #include "steradian/core/transport/scattering.h"
 
 namespace steradian {
 
-/// The members of a BSDF, so that estimators treat both alike; a phase function has no cosine, and its value is its
-/// density. What the medium absorbs is not in here.
+/// It has the members of a BSDF model, so that estimators treat both alike. There is no cosine: the value is the pdf.
+/// Absorption is not part of it.
 template <class F>
 struct Phase {
   F anisotropy;  ///< mean cosine between -wo and wi, in (-1, 1)

@@ -1,5 +1,5 @@
 #pragma once
-/// Colours over surfaces, flattened for lookup: no allocation, no virtual call.
+/// The textures of a scene, prepared for lookup without allocation or virtual calls.
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -16,12 +16,12 @@ class TextureSet {
   /// Ids as in the description, which must be valid (see validate()).
   explicit TextureSet(const std::vector<TextureDescription>& textures);
 
-  /// The colour at a point of the surface; kNone is black. A solid (World) texture takes the cell of the matter just
-  /// below the surface, so that a face lying in the boundary of two cells has one colour and not the pattern of
-  /// rounding; noise, which is smooth, takes the position as it is.
+  /// The colour at a point of the surface; kNone is black. A checker in world space is looked up just below the
+  /// surface: a face that lies exactly between two cells has one colour then, and not whichever rounding picks. Noise
+  /// is smooth, and is looked up at the position itself.
   Rgb value(Id texture, const SurfacePoint<float>& at) const;
 
-  /// The value of a texture that is the same everywhere.
+  /// The colour of a texture that has the same everywhere; else nothing.
   std::optional<Rgb> constant(Id texture) const;
 
   /// The pattern of a texture that is noise, for several points at once; else null.
@@ -30,7 +30,7 @@ class TextureSet {
     return isNoise ? &noises_[nodes_[texture].index] : nullptr;
   }
 
-  /// Whether value() reads uv, for this texture or for those that it chooses from.
+  /// Whether value() reads uv, for this texture or for those that a checker refers to.
   bool readsUv(Id texture) const { return texture < nodes_.size() && nodes_[texture].readsUv; }
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-/// Scatters into the hemisphere of wo alike, with the density 1 / 2 pi: the "hemisphere" material of "The Rest of Your
+/// Scatters uniformly into the hemisphere of wo, with the pdf 1 / 2 pi: the "hemisphere" material of "The Rest of Your
 /// Life" (6.3), which is "In One Weekend" (9.1) as well. Darker than Lambert to the front and brighter at grazing
 /// angles.
 ///
@@ -17,13 +17,13 @@ struct UniformDiffuse {
   BsdfSample<F> sample(Vec3<F> wo, const BsdfRandom<F>& random, Transport transport) const {
     const Vec3<F> upper = UniformHemisphere<F>::sample(random.direction);
     const Vec3<F> wi{upper.x, upper.y, copySign(upper.z, wo.z)};
-    const MaskOf<F> valid = sameSide(wo, wi);
+    const MaskOf<F> valid = sameHemisphere(wo, wi);
     return {reflectance * adjointFactor(wo, wi, transport), wi, select(valid, F(kInvTwoPi), F(0.0f)),
             select(valid, Lobe<F>(kLobeReflection | kLobeDiffuse), Lobe<F>(0u)), F(1.0f)};
   }
 
   BsdfValue<F> eval(Vec3<F> wo, Vec3<F> wi, Transport transport) const {
-    const F pdf = select(sameSide(wo, wi), F(kInvTwoPi), F(0.0f));
+    const F pdf = select(sameHemisphere(wo, wi), F(kInvTwoPi), F(0.0f));
     return {reflectance * (pdf * adjointFactor(wo, wi, transport)), pdf};
   }
 

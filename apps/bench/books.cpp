@@ -80,8 +80,7 @@ class Pair {
   Pair(Threads& threads, const SceneDescription& description, const BenchOptions& options)
       : threads_(threads),
         options_(options),
-        integrator_({.width = options.pathWidth}),
-        alike_({.strategy = Strategy::Bsdf, .width = options.pathWidth}),
+        alike_({.strategy = Strategy::Bsdf}),
         world_(books::makeWorld(description)) {
     threads_.run([&] { scene_ = std::make_unique<Scene>(description); });
   }
@@ -92,6 +91,7 @@ class Pair {
     settings.height = options_.samplersHeight;
     settings.samplesPerPixel = kOurCheckSamples;
     settings.replicates = kReplicates;
+    settings.execution.width = options_.pathWidth;
     const Image ours =
         threads_.run([&] { return render(*scene_, integrator_, settings); }).film.image({.features = false});
     const Image theirs = threads_.run([&] {
@@ -123,6 +123,7 @@ class Pair {
     settings.width = options_.width;
     settings.height = options_.height;
     settings.samplesPerPixel = samplesPerPixel;
+    settings.execution.width = options_.pathWidth;
     const RenderStatistics statistics = threads_.run([&] { return render(*scene_, integrator, settings); }).statistics;
     return static_cast<double>(statistics.samples) / statistics.sampleSeconds;
   }

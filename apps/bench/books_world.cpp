@@ -4,6 +4,8 @@
 #include <string>
 #include <utility>
 
+#include "steradian/core/scene/placements.h"
+
 namespace steradian::bench::books {
 namespace {
 
@@ -82,7 +84,7 @@ class WorldBuilder {
 
   Object primitive(const ShapeGeometry& geometry, std::size_t i, const Material* of);
   void addShape(const ShapeDescription& shape, std::vector<Object>& to);
-  void addInstances(std::vector<Object>& to);
+  void addInstances(const Placements& placements, std::vector<Object>& to);
   void setBackground();
 
   const SceneDescription& scene_;
@@ -199,15 +201,13 @@ void WorldBuilder::addShape(const ShapeDescription& shape, std::vector<Object>& 
   for (Object& object : objects) to.push_back(std::move(object));
 }
 
-void WorldBuilder::addInstances(std::vector<Object>& to) {
-  for (const InstanceSet& set : scene_.instances) {
-    if (!set.closing.empty()) throwMissing("moving instances");
-    for (const Matrix& transform : set.transforms) {
-      std::vector<Object> objects;  // of their own for each instance: the books share them, which no ray notices
-      for (const Id shape : scene_.groups[set.group].shapes) addShape(scene_.shapes[shape], objects);
-      if (!objects.empty()) to.push_back(Placement::of(transform)(together(std::move(objects))));
-    }
-  }
+void WorldBuilder::addInstances(const Placements& placements, std::vector<Object>& to) {
+  placements.forEachInstance([&](const InstancePlacement& instance) {
+    if (instance.motion()) throwMissing("moving instances");
+    std::vector<Object> objects;  // of their own for each instance: the books share them, which no ray notices
+    for (const Id shape : placements.shapesOf(instance)) addShape(scene_.shapes[shape], objects);
+    if (!objects.empty()) to.push_back(Placement::of(instance.localToWorld())(together(std::move(objects))));
+  });
 }
 
 void WorldBuilder::setBackground() {
@@ -233,13 +233,10 @@ World WorldBuilder::build() && {
   world_.camera = *camera;
   world_.maxDepth = scene_.defaults.maxDepth + 1;
   setBackground();
-  std::vector<bool> isGrouped(scene_.shapes.size(), false);
-  for (const Group& group : scene_.groups)
-    for (const Id shape : group.shapes) isGrouped[shape] = true;
+  const Placements placements(scene_);
   std::vector<Object> objects;
-  for (std::size_t i = 0; i < scene_.shapes.size(); ++i)
-    if (!isGrouped[i]) addShape(scene_.shapes[i], objects);
-  addInstances(objects);
+  for (const Id shape : placements.directShapes()) addShape(scene_.shapes[shape], objects);
+  addInstances(placements, objects);
   world_.root = objects.empty() ? std::make_unique<List>(std::move(objects)) : together(std::move(objects));
   return std::move(world_);
 }

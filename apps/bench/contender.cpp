@@ -57,7 +57,8 @@ std::optional<double> numberAfter(const std::string& text, const std::string& la
 Steradian::Steradian(const SceneDescription& scene, const BenchOptions& options, std::uint32_t reuse)
     : width_(options.width),
       height_(options.height),
-      integrator_({.reuse = reuse, .width = options.pathWidth}),
+      integrator_({.reuse = reuse}),
+      execution_{.width = options.pathWidth},
       threads_(options.threads) {
   threads_.run([&] { scene_ = std::make_unique<Scene>(scene); });
 }
@@ -68,6 +69,7 @@ TimedPicture Steradian::render(std::uint32_t samplesPerPixel, std::uint32_t seed
   settings.height = height_;
   settings.samplesPerPixel = samplesPerPixel;
   settings.seed = seed;
+  settings.execution = execution_;
   const RenderResult result = threads_.run([&] { return steradian::render(*scene_, integrator_, settings); });
   return {result.film.image({.features = false, .errors = false}), result.statistics.sampleSeconds};
 }

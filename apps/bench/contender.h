@@ -35,6 +35,7 @@ class Steradian final : public Contender {
  private:
   int width_, height_;
   PathIntegrator integrator_;
+  ExecutionSettings execution_;
   Threads threads_;
   std::unique_ptr<const Scene> scene_;
 };

@@ -55,6 +55,7 @@ RenderSettings settingsFor(const BenchOptions& options) {
   settings.width = options.width;
   settings.height = options.height;
   settings.samplesPerPixel = options.samplesPerPixel.value_or(kSamplesPerPixel);
+  settings.execution.width = options.pathWidth;
   return settings;
 }
 
@@ -76,7 +77,7 @@ Row measure(Threads& threads, const std::string& name, const BenchOptions& optio
   for (int i = 0; i < options.repeats; ++i) {
     // In turns, so that both see the same moods of the machine.
     const RenderStatistics statistics =
-        threads.run([&] { return render(*scene, PathIntegrator({.width = options.pathWidth}), settings); }).statistics;
+        threads.run([&] { return render(*scene, PathIntegrator(), settings); }).statistics;
     const PathCounts& paths = statistics.paths;
     const auto count = static_cast<double>(paths.cameraRays + paths.bounceRays + paths.shadowRays);
     samples.push_back(static_cast<double>(statistics.samples) / statistics.sampleSeconds);

@@ -16,7 +16,6 @@ class BookIntegrator final : public RadianceIntegrator {
  public:
   explicit BookIntegrator(Mistake mistake) : mistake_(mistake) {}
 
-  using RadianceIntegrator::radiance;
   /// Biased.
   Rgb radiance(const Scene& scene, const Ray<float>& ray, const Sampler<float>& sampler) const override;
 

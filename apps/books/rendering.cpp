@@ -35,9 +35,9 @@ app::RenderOptions optionsOf(const NumberedPicture& picture, const Effort& effor
 }
 
 Rendering renderScene(const Scene& scene, app::RenderOptions options, const Integrator* integrator) {
-  std::unique_ptr<Integrator> own;
+  std::unique_ptr<const Integrator> own;
   if (integrator == nullptr) {
-    own = makeIntegrator(options.integrator);
+    own = makeIntegrator(options.integrator, options.settings.execution).integrator;
     integrator = own.get();
   }
   RenderResult result = render(scene, *integrator, options.settings);

@@ -15,6 +15,7 @@
 #include "steradian/apps/steradian/render_report.h"
 #include "steradian/apps/steradian/scene_json.h"
 #include "steradian/core/base/build_info.h"
+#include "steradian/core/scene/placements.h"
 #include "steradian/integrators/path/path_kernels.h"
 #include "steradian/integrators/scene/scene.h"
 
@@ -27,16 +28,6 @@ struct InfoArguments {
   bool json = false, build = false;
 };
 
-/// How often each shape is there: once, or as often as its group.
-std::vector<std::uint64_t> timesOf(const SceneDescription& scene) {
-  std::vector<std::uint64_t> times(scene.shapes.size(), 1);
-  for (const Group& group : scene.groups)
-    for (const Id id : group.shapes) times[id] = 0;
-  for (const InstanceSet& set : scene.instances)
-    for (const Id id : scene.groups[set.group].shapes) times[id] += set.transforms.size();
-  return times;
-}
-
 std::string describe(const SceneDescription& scene) {
   std::string text = scene.name + "\n  primitives: ";
   const char* separator = "";
@@ -44,12 +35,12 @@ std::string describe(const SceneDescription& scene) {
     text += fmt::format("{}{} {}", separator, kind, count);
     separator = ", ";
   }
-  const std::vector<std::uint64_t> times = timesOf(scene);
+  const Placements placements(scene);
   std::uint64_t emitters = 0;
   std::string targets;
-  for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
-    const ShapeDescription& shape = scene.shapes[i];
-    if (shape.emission != kNone) emitters += times[i] * primitiveCount(shape.geometry);
+  for (Id id = 0; id < scene.shapes.size(); ++id) {
+    const ShapeDescription& shape = scene.shapes[id];
+    if (shape.emission != kNone) emitters += placements.countOf(id) * primitiveCount(shape.geometry);
     if (shape.target) targets += fmt::format("{}\"{}\"", targets.empty() ? "" : ", ", shape.name);
   }
   text += fmt::format("\n  materials:  {}\n  lights:     {} emitting primitives, {} others\n", scene.materials.size(),

@@ -86,7 +86,8 @@ RenderResult renderWithProgress(const Scene& scene, const Integrator& integrator
 int runRender(const RenderTexts& texts, Arguments& arguments) {
   RenderOptions options = checkRenderOptions(texts, arguments);
   checkResources(options);
-  const std::unique_ptr<Integrator> integrator = makeIntegrator(options.integrator);
+  const ExecutionSettings& execution = options.settings.execution;
+  const std::unique_ptr<const Integrator> integrator = makeIntegrator(options.integrator, execution).integrator;
 
   Interrupt interrupt;  // before TBB starts threads
   const int threads = options.threads > 0 ? options.threads : tbb::this_task_arena::max_concurrency();
@@ -99,7 +100,7 @@ int runRender(const RenderTexts& texts, Arguments& arguments) {
   arena.execute([&] {
     scene = std::make_unique<Scene>(
         std::move(options.scene),
-        SceneSettings{.geometry = {.accel = {.accel = options.accel}, .isa = options.isa}, .lights = {}});
+        SceneSettings{.geometry = {.accel = {.accel = options.accel}, .isa = execution.isa}, .lights = {}});
   });
   Phases phases{.buildSeconds = secondsSince(buildStart)};
   if (options.verbose) printErr(fmt::format("{}: {}\n", name, geometrySummary(scene->geometry().statistics())));

@@ -127,6 +127,13 @@ std::string replayOptions(const RenderTexts& texts, const std::string& integrato
   return text;
 }
 
+/// Throws Error (Usage) for an instruction set that is unknown or not usable.
+Isa checkIsa(const RenderTexts& texts) {
+  const Isa isa = texts.isa ? isaOf(*texts.isa) : bestIsa();
+  requireUsable(isa);
+  return isa;
+}
+
 StatisticsFormat checkStatistics(const RenderTexts& texts, Arguments& arguments) {
   if (!texts.statistics) return StatisticsFormat::None;
   if (*texts.statistics == "json") return StatisticsFormat::Json;
@@ -291,15 +298,11 @@ RenderOptions checkRenderOptions(const RenderTexts& texts, Arguments& arguments)
   options.outputs = checkOutputs(texts, arguments);
   options.integrator = integratorSpec(texts);
   options.replay = replayOptions(texts, options.integrator);
-  collect(arguments, [&] { makeIntegrator(options.integrator); });
+  ExecutionSettings& execution = options.settings.execution;
+  collect(arguments, [&] { execution.isa = checkIsa(texts); });
+  collect(arguments, [&] { execution = makeIntegrator(options.integrator, execution).execution; });
   if (texts.threads) options.threads = static_cast<int>(arguments.whole("--threads", *texts.threads, 1, kMaxThreads));
   if (texts.accel) collect(arguments, [&] { options.accel = accelOf(*texts.accel); });
-  if (texts.isa) {
-    collect(arguments, [&] {
-      options.isa = isaOf(*texts.isa);
-      requireUsable(options.isa);
-    });
-  }
   options.statistics = checkStatistics(texts, arguments);
   checkDisplay(texts, options, arguments);
   collect(arguments, [&] {

@@ -7,7 +7,6 @@
 
 #include "steradian/accel/accel.h"
 #include "steradian/apps/steradian/arguments.h"
-#include "steradian/core/base/isa.h"
 #include "steradian/core/colour/display.h"
 #include "steradian/core/image/image_io.h"
 #include "steradian/core/scene/description.h"
@@ -42,11 +41,10 @@ enum class StatisticsFormat { None, Text, Json };
 struct RenderOptions {
   SceneDescription scene;
   std::vector<Output> outputs;
-  RenderSettings settings;
-  std::string integrator;  ///< a complete spec
-  std::string replay;      ///< the options, as typed, that choose the samples of a pixel
-  Isa isa = bestIsa();
-  Accel accel = Accel::Auto;
+  RenderSettings settings;         ///< with --isa and --width
+  Accel accel = Accel::Auto;       ///< what the scene is built with
+  std::string integrator;          ///< a complete spec
+  std::string replay;              ///< the options, as typed, that choose the samples of a pixel
   int threads = 0;                 ///< 0: all processors
   std::optional<Display> display;  ///< if an output is display-referred
   DisplaySettings view;            ///< of display-referred outputs

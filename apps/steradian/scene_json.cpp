@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "steradian/core/scene/placements.h"
+
 namespace steradian::app {
 
 namespace {
@@ -210,16 +212,13 @@ json namedJson(const Items& items) {
 }  // namespace
 
 std::map<std::string, std::uint64_t> countPrimitives(const SceneDescription& scene) {
-  std::vector<bool> grouped(scene.shapes.size(), false);
-  for (const Group& group : scene.groups)
-    for (const Id id : group.shapes) grouped[id] = true;
+  const Placements placements(scene);
   std::map<std::string, std::uint64_t> counts;
-  const auto add = [&](const ShapeDescription& s, std::uint64_t times) {
-    if (times > 0) counts[primitiveName(s.geometry)] += times * primitiveCount(s.geometry);
-  };
-  for (std::size_t i = 0; i < scene.shapes.size(); ++i) add(scene.shapes[i], grouped[i] ? 0 : 1);
-  for (const InstanceSet& set : scene.instances)
-    for (const Id id : scene.groups[set.group].shapes) add(scene.shapes[id], set.transforms.size());
+  for (Id id = 0; id < scene.shapes.size(); ++id) {
+    const ShapeGeometry& geometry = scene.shapes[id].geometry;
+    if (placements.countOf(id) > 0)
+      counts[primitiveName(geometry)] += placements.countOf(id) * primitiveCount(geometry);
+  }
   return counts;
 }
 

@@ -57,12 +57,12 @@ std::uint64_t Film::bytesPerPixel(std::uint32_t replicates) {
   return sizeof(Sums) + groups * (sizeof(FixedPoint64) + sizeof(std::uint32_t));
 }
 
-Film::Film(const FilmSettings& settings)
+Film::Film(const FilmSettings& settings, Isa isa)
     : settings_(settings),
       crop_(checkedCrop(settings)),
       groups_(settings.replicates == 1 ? kSubSequences : settings.replicates),
       drops_(std::make_unique<Drops>()),
-      kernels_(&filmKernels(settings.isa)) {
+      kernels_(&filmKernels(isa)) {
   const std::uint64_t pixels =
       static_cast<std::uint64_t>(crop_.x1 - crop_.x0) * static_cast<std::uint64_t>(crop_.y1 - crop_.y0);
   const std::uint64_t bytes = pixels * bytesPerPixel(settings.replicates);

@@ -46,7 +46,6 @@ struct FilmSettings {
   /// sample i belongs to the independently scrambled sequence i mod R; let R divide the number of samples.
   std::uint32_t replicates = 1;
   std::uint64_t memoryLimit = 0;  ///< bytes; 0: the machine's memory
-  Isa isa = bestIsa();            ///< must be usable
 };
 
 /// A sample that was not finite, by which the render can be repeated.
@@ -69,8 +68,9 @@ class Film {
   static constexpr std::size_t kRememberedDrops = 16;
 
   /// All sums are zero. Throws `Error`: Usage if a side is not in [1, Image::maxSide], the crop is empty or reaches
-  /// beyond the picture, or replicates are not in [1, kMaxReplicates]; Memory if there is not enough of it.
-  explicit Film(const FilmSettings& settings);
+  /// beyond the picture, or replicates are not in [1, kMaxReplicates]; Memory if there is not enough of it. `isa`, the
+  /// instruction set of the code that adds samples, must be usable.
+  explicit Film(const FilmSettings& settings, Isa isa = bestIsa());
 
   const FilmSettings& settings() const { return settings_; }
   const Crop& crop() const { return crop_; }

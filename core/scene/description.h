@@ -26,8 +26,8 @@ using Id = std::uint32_t;
 struct ConstantTexture {
   Rgb value{};
 };
-/// Two textures in alternation: cells of edge `scale` in world space ("The Next Week", 4.3, solid), or of 1/`scale`-th
-/// of the parameter range in (u, v).
+/// Alternates between two textures: in cubes of edge `scale` in world space ("The Next Week", 4.3), or in `scale` x
+/// `scale` cells over (u, v).
 struct CheckerTexture {
   enum class Space { World, Uv };
   Id even = kNone, odd = kNone;  ///< textures; even is where the sum of the cell indices is even
@@ -35,16 +35,16 @@ struct CheckerTexture {
   Space space = Space::World;
 };
 /// A picture over (u, v): u runs to the right, v upwards, (0, 0) is the lower left corner of the picture. Its colours
-/// are taken as reflectances: what lies outside of [0, 1], as filters leave it, is clamped at lookup.
+/// are reflectances: they are clamped to [0, 1] at lookup.
 struct ImageTexture {
-  /// What lies beyond the picture.
+  /// The colours outside of the picture.
   enum class Wrap { Repeat, Mirror, Clamp, Black };
   enum class Filter { Nearest, Bilinear };
-  std::string name{};                  ///< for people: the file that it came from
+  std::string name{};                  ///< shown to users: the file that it came from
   std::shared_ptr<const Image> image;  ///< linear colours: R, G and B, or one channel for all three
   Wrap wrapU = Wrap::Repeat, wrapV = Wrap::Repeat;
   Filter filter = Filter::Bilinear;
-  float repeatU = 1.0f, repeatV = 1.0f;  ///< how often the picture fits into the parameter range
+  float repeatU = 1.0f, repeatV = 1.0f;  ///< how often the picture repeats over u and v from 0 to 1
 };
 /// Perlin's noise in world space ("The Next Week", 5), in [0, 1] times a colour.
 struct NoiseTexture {
@@ -63,7 +63,7 @@ using TextureDescription = std::variant<ConstantTexture, CheckerTexture, ImageTe
 
 // --- Materials --------------------------------------------------------------------------------------------------
 
-/// Scatters nothing: the usual body of a light.
+/// Absorbs all light: the usual material of an area light.
 struct AbsorberMaterial {};
 struct LambertMaterial {
   Id reflectance = kNone;  ///< texture, 0..1
@@ -73,8 +73,8 @@ struct MetalMaterial {
   Id reflectance = kNone;  ///< texture, 0..1
   float fuzz = 0.0f;
 };
-/// Smooth interface. On shapes with a priority (see Interior) eta is the refractive index of the inside, and what is
-/// outside follows from the bodies that the ray is in; on others it is inside over outside, below 1 for a bubble.
+/// Smooth interface. On shapes with a priority (see Interior) eta is the refractive index inside, and the index outside
+/// is that of the body that the ray comes from; on others eta is inside over outside, below 1 for a bubble.
 struct DielectricMaterial {
   float eta = 1.5f;      ///< > 0
   bool schlick = false;  ///< Schlick's approximation with the incident side's cosine, as the books do; else exact
@@ -84,13 +84,13 @@ struct CoatedMaterial {
   Id reflectance = kNone;  ///< texture of the base, 0..1
   float eta = 1.5f;
 };
-/// Scatters into the whole hemisphere alike: reflectance / (2 pi) times the irradiance per unit of area across the ray,
-/// the "hemisphere" material of "The Rest of Your Life" (6). Not reciprocal: no real surface does this.
+/// Scatters uniformly into the hemisphere: f |cos| = reflectance / (2 pi), the "hemisphere" material of "The Rest of
+/// Your Life" (6). Not reciprocal: no real surface does this.
 struct UniformDiffuseMaterial {
   Id reflectance = kNone;  ///< texture, 0..1
 };
-/// Nothing at all: a boundary between media, which rays cross unchanged. Where it coincides with a surface, as the
-/// bottom of a cloud that lies on a floor, the surface should be described first.
+/// An invisible boundary between media, which rays cross unchanged. Where it coincides with a visible surface, as the
+/// bottom of a cloud that lies on a floor, the visible surface should come first among the shapes.
 struct InterfaceMaterial {};
 using MaterialModel = std::variant<AbsorberMaterial, LambertMaterial, MetalMaterial, DielectricMaterial, CoatedMaterial,
                                    UniformDiffuseMaterial, InterfaceMaterial>;
@@ -102,8 +102,7 @@ struct MaterialDescription {
 
 // --- Media ------------------------------------------------------------------------------------------------------
 
-/// A homogeneous medium. What a ray loses per metre is absorption + scattering; what is scattered goes on about its old
-/// direction as Henyey and Greenstein have it.
+/// A homogeneous medium with the phase function of Henyey and Greenstein. The extinction is absorption + scattering.
 struct MediumDescription {
   std::string name{};
   Rgb absorption{}, scattering{};  ///< 1/m
@@ -111,12 +110,12 @@ struct MediumDescription {
   float anisotropy = 0.0f;         ///< mean cosine of the scattering angle, in (-1, 1)
   SourceRange where{};
 };
-/// What fills a closed shape. Where several are in one place, the highest priority counts; among equal ones, that of
-/// the shape entered last.
+/// What fills a closed shape. Where several shapes overlap, that of the highest priority counts; among equal
+/// priorities, that of the shape entered last.
 struct Interior {
   Id medium = kNone;  ///< kNone: vacuum
-  /// Above 0 the surface vanishes inside of bodies with a higher priority, so that glass and the liquid in it may
-  /// overlap (Schmidt & Budge 2002, "Simple nested dielectrics in ray traced images"). 0: it is always there.
+  /// If above 0, rays ignore the surface inside of shapes with a higher priority, so that glass and the liquid in it
+  /// may overlap (Schmidt & Budge 2002, "Simple nested dielectrics in ray traced images"). 0: they never ignore it.
   int priority = 0;
 };
 
@@ -125,7 +124,7 @@ struct Interior {
 /// Spheres by centre and radius (> 0).
 struct SphereSet {
   std::vector<float> centerX, centerY, centerZ, radius;
-  std::vector<float> moveX{}, moveY{}, moveZ{};  ///< how far the centre moves from time 0 to time 1; or none move
+  std::vector<float> moveX{}, moveY{}, moveZ{};  ///< the centre's way from time 0 to time 1; empty if none moves
 
   void add(Vec3f center, float sphereRadius);
   /// From one centre to the other while the shutter is open. Sets may mix both kinds.
@@ -174,14 +173,14 @@ struct ShapeDescription {
   ShapeGeometry geometry;
   Id material = kNone;
   std::vector<Id> primitiveMaterials;  ///< one per primitive, or empty: `material` for all
-  Id emission = kNone;                 ///< every primitive is an area light
+  Id emission = kNone;                 ///< if set, every primitive is an area light
   bool target = false;                 ///< a sampling target; for `mixture` any flag replaces the set "lights"
   std::optional<Interior> interior;    ///< of closed shapes
-  std::optional<Motion> motion;        ///< none: the set's coordinates are those of the world
+  std::optional<Motion> motion;        ///< local to world; none: coordinates are those of the world (or group)
   SourceRange where;
 };
 
-/// Shapes that appear only through instances.
+/// Shapes that are placed by instances only (core/scene/placements.h expands them).
 struct Group {
   std::string name;
   std::vector<Id> shapes;
@@ -190,7 +189,7 @@ struct Group {
 struct InstanceSet {
   Id group = kNone;
   std::vector<Matrix> transforms;
-  std::vector<Matrix> closing{};  ///< at time 1, when `transforms` are those of time 0 (see Motion); or nothing moves
+  std::vector<Matrix> closing{};  ///< those at time 1, `transforms` being those at time 0 (see Motion); empty: at rest
   SourceRange where{};
 };
 
@@ -226,7 +225,7 @@ struct GradientSky {
 /// A picture of the whole sphere of directions, equirectangular: up (+y) at the top, and in the middle of the picture
 /// -z, turned by `rotation` about +y.
 struct ImageSky {
-  std::string name{};                  ///< for people: the file that it came from
+  std::string name{};                  ///< shown to users: the file that it came from
   std::shared_ptr<const Image> image;  ///< linear: R, G and B, or one channel for all three
   Rgb scale{1.0f, 1.0f, 1.0f};         ///< W sr^-1 m^-2 per unit of the picture
   float rotation = 0.0f;               ///< degrees, counter-clockwise seen from above
@@ -257,7 +256,7 @@ struct SphericalCamera {
 };
 using CameraDescription = std::variant<PerspectiveCamera, OrthographicCamera, SphericalCamera>;
 
-/// What a scene would like to be rendered with; the command line overrides it.
+/// The settings that a scene is rendered with unless the command line says otherwise.
 struct RenderDefaults {
   int width = 600, height = 600;
   std::uint32_t samplesPerPixel = 64;

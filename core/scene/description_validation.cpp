@@ -144,19 +144,26 @@ class Validator {
   }
 
   void checkMaterial(const MaterialDescription& m) {
-    if (const auto* lambert = std::get_if<LambertMaterial>(&m.model)) checkReflectance(m, lambert->reflectance);
-    if (const auto* metal = std::get_if<MetalMaterial>(&m.model)) {
-      checkReflectance(m, metal->reflectance);
-      if (!(metal->fuzz >= 0.0f && metal->fuzz <= 1.0f))
-        error(m.where, fmt::format("material \"{}\": fuzz must lie in [0, 1], not {}", m.name, metal->fuzz));
-    }
-    if (const auto* dielectric = std::get_if<DielectricMaterial>(&m.model)) checkEta(m, dielectric->eta);
-    if (const auto* uniform = std::get_if<UniformDiffuseMaterial>(&m.model)) checkReflectance(m, uniform->reflectance);
-    if (const auto* coated = std::get_if<CoatedMaterial>(&m.model)) {
-      checkReflectance(m, coated->reflectance);
-      checkEta(m, coated->eta);
-      if (coated->eta < 1.0f) error(m.where, fmt::format("material \"{}\": a coat's eta is at least 1", m.name));
-    }
+    std::visit([&](const auto& model) { checkModel(m, model); }, m.model);
+  }
+  void checkModel(const MaterialDescription&, const AbsorberMaterial&) {}
+  void checkModel(const MaterialDescription&, const InterfaceMaterial&) {}
+  void checkModel(const MaterialDescription& m, const LambertMaterial& lambert) {
+    checkReflectance(m, lambert.reflectance);
+  }
+  void checkModel(const MaterialDescription& m, const MetalMaterial& metal) {
+    checkReflectance(m, metal.reflectance);
+    if (!(metal.fuzz >= 0.0f && metal.fuzz <= 1.0f))
+      error(m.where, fmt::format("material \"{}\": fuzz must lie in [0, 1], not {}", m.name, metal.fuzz));
+  }
+  void checkModel(const MaterialDescription& m, const DielectricMaterial& dielectric) { checkEta(m, dielectric.eta); }
+  void checkModel(const MaterialDescription& m, const UniformDiffuseMaterial& uniform) {
+    checkReflectance(m, uniform.reflectance);
+  }
+  void checkModel(const MaterialDescription& m, const CoatedMaterial& coated) {
+    checkReflectance(m, coated.reflectance);
+    checkEta(m, coated.eta);
+    if (coated.eta < 1.0f) error(m.where, fmt::format("material \"{}\": a coat's eta is at least 1", m.name));
   }
 
   void checkShape(const ShapeDescription& s) {

@@ -7,21 +7,18 @@ namespace steradian {
 /// (n + 1) / 2 of the unit shading normal, turned to the camera ("In One Weekend", 6.2); the sky where nothing is.
 class NormalIntegrator final : public RadianceIntegrator {
  public:
-  using RadianceIntegrator::radiance;
   Rgb radiance(const Scene& scene, const Ray<float>& ray, const Sampler<float>& sampler) const override;
 };
 
 /// The share of light that the material reflects or lets through, 0..1; black where nothing is.
 class AlbedoIntegrator final : public RadianceIntegrator {
  public:
-  using RadianceIntegrator::radiance;
   Rgb radiance(const Scene& scene, const Ray<float>& ray, const Sampler<float>& sampler) const override;
 };
 
 /// The distance from the camera in scene units; 0 where nothing is.
 class DepthIntegrator final : public RadianceIntegrator {
  public:
-  using RadianceIntegrator::radiance;
   Rgb radiance(const Scene& scene, const Ray<float>& ray, const Sampler<float>& sampler) const override;
 };
 
@@ -31,7 +28,6 @@ class AmbientOcclusionIntegrator final : public RadianceIntegrator {
  public:
   explicit AmbientOcclusionIntegrator(float distance = kInfinity) : distance_(distance) {}
 
-  using RadianceIntegrator::radiance;
   Rgb radiance(const Scene& scene, const Ray<float>& ray, const Sampler<float>& sampler) const override;
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-/// The paths of a picture's samples, from the camera on: a source of PathPacket.
+/// A source of paths for PathPacket: one path from the camera for each sample of a part of the picture.
 #include <span>
 #include <vector>
 
@@ -11,7 +11,7 @@ namespace steradian {
 template <class F>
 class CameraPaths {
  public:
-  /// results[number] becomes the sample of that number.
+  /// results[i] becomes the i-th of the samples.
   CameraPaths(CameraSamples<F>& samples, std::span<PixelSample> results)
       : samples_(samples), results_(results), weights_(results.size()) {}
 
@@ -26,8 +26,8 @@ class CameraPaths {
                const typename PathPacket<F>::Numbers& numbers) {
     const MaskOf<F> first = vertex.hit & (bounce == UintOf<F>(0u));
     if (!any(first)) return;
-    lanes.recordFirst(vertex, first,
-                      [&](int i) -> PixelSample& { return results_[numbers[static_cast<std::size_t>(i)]]; });
+    lanes.recordFirstHit(vertex, first,
+                         [&](int i) -> PixelSample& { return results_[numbers[static_cast<std::size_t>(i)]]; });
   }
   void ended(std::uint32_t number, Rgb radiance) {
     results_[number].radiance = radiance * weights_[number];

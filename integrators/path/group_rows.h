@@ -1,5 +1,5 @@
 #pragma once
-/// Values of pixels in groups, of which each is combined with all others of its group.
+/// Values of paths in groups, of which each is combined with all others of its group.
 #include <algorithm>
 #include <cstddef>
 #include <cstring>
@@ -10,14 +10,16 @@
 
 namespace steradian {
 
-/// Rows of floats, one per entry; entries are numbered, and `group` (a power of two) consecutive ones are a group.
+/// A table with a column for each path (entry). Entries are numbered; each `group` consecutive ones, a power of two,
+/// are a group.
 template <class F>
 class GroupRows {
  public:
   GroupRows(std::size_t rows, std::size_t entries, std::size_t group)
       : rows_(rows), group_(group), values_((entries + group - 1) / group * rows * 2 * group) {}
 
-  /// Sets a row of the entries in the lanes, of which the first is a multiple of their number.
+  /// Sets a row's values for the entries first, first + 1, ..., one in each lane; `first` must be a multiple of the
+  /// number of lanes.
   void set(std::size_t row, std::size_t first, F value) {
     for (int i = 0; i < width; i += run()) {
       float* to = at(row, first + static_cast<std::size_t>(i));
@@ -27,8 +29,8 @@ class GroupRows {
       std::memcpy(to + group_, lanes + i, sizeof(float) * static_cast<std::size_t>(run()));
     }
   }
-  /// A row of the entries that are `shift` < group places further in the groups of those in the lanes, which begin
-  /// again where they end.
+  /// A row's values for the entries that are `shift` < group places further in their groups than those of the lanes,
+  /// counted on from the group's start where it ends (cyclically).
   F get(std::size_t row, std::size_t first, std::size_t shift) const {
     if (static_cast<std::size_t>(width) <= group_) return load<F>(at(row, first) + shift);
     float lanes[width];
@@ -42,7 +44,7 @@ class GroupRows {
  private:
   static constexpr int width = widthOf<F>;
   int run() const { return std::min(width, static_cast<int>(group_)); }
-  /// Every group's row stands there twice: the second time for what begins again.
+  /// Each row of a group is stored twice in succession, so that a cyclic shift of it is a contiguous stretch.
   const float* at(std::size_t row, std::size_t entry) const {
     return values_.data() + (entry / group_ * rows_ + row) * 2 * group_ + entry % group_;
   }

@@ -7,25 +7,26 @@
 
 namespace steradian {
 
-/// Renders the samples of a pass in one tile. Where pixels share paths, tiles are made of whole squares
-/// (kSharingEdge), but for what the crop cuts off.
+/// Renders the samples of a pass in one tile. Where pixels share paths, tiles consist of whole squares of edge
+/// kSharingEdge; only the crop may cut through these.
 using RenderPathTile = void (*)(const WideScene&, const PathPlan&, const RenderJob&, PassRange, const Crop& tile, Film&,
                                 PathCounts&);
 
-/// Null: not compiled for this set.
+/// The functions for one instruction set. Null: that width is not compiled for it.
 struct PathKernels {
   std::uint32_t nativeWidth;
   RenderPathTile width4, width8, width16;
 };
 
-/// Pixels that share paths are of one square of this edge, and the picture is divided into such.
+/// Edge of the squares, in pixels, that the picture is divided into where pixels share paths: those that do so lie in
+/// one square.
 inline constexpr int kSharingEdge = 16;
 
 /// Paths traced at once by default: as many as an instruction holds floats.
 std::uint32_t nativeWidth(Isa isa);
-/// `width` is 4, 8 or 16; `sharing`: see PathSettings::reuse. Each set has the function of its native width. Those of
-/// other widths are the baseline's, on every machine: they are there to compare with, and to compile them for each set
-/// would take two minutes.
+/// The function for an instruction set and a width of 4, 8 or 16; `sharing`: pixels share paths (PathSettings::reuse).
+/// Each set has the function of its native width only. For other widths the baseline's is returned: these are there to
+/// compare with, and compiling them for every set would take two minutes.
 RenderPathTile pathKernel(Isa isa, std::uint32_t width, bool sharing);
 
 namespace baseline {

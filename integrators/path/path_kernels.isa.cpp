@@ -5,10 +5,10 @@
 namespace steradian {
 namespace {
 
-/// Samples that one packet takes in a row: enough that lanes seldom idle at the end, few enough for the cache.
+/// Samples that one packet traces: so many that lanes are seldom idle at the end, so few that they stay in the cache.
 constexpr std::uint32_t kSamplesInARow = 4096;
 
-/// As many rows of the tile as make about so many samples.
+/// As many rows of the tile as have about that many samples.
 int rowsAtOnce(const Crop& tile, PassRange pass) {
   const auto perRow = static_cast<std::uint32_t>(tile.x1 - tile.x0) * pass.count();
   return static_cast<int>(std::max(kSamplesInARow / perRow, 1u));

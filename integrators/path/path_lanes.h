@@ -1,8 +1,10 @@
 #pragma once
-/// Paths in lanes, one vertex at a time: what path_loop.h does there, for several paths at once.
+/// The stages of path tracing for several paths at once, one in each lane: nextVertex(), sampleDirectLight() and
+/// scatter(), in this order for each vertex (path_packet.h has the loop).
 ///
-/// Lane by lane the same functions are computed in the same order: pictures are the same to the bit. What differs
-/// between lanes (materials, lights, kinds of shapes) is done one after the other for those lanes that need it.
+/// Each lane computes what path_loop.h computes for one path, by the same operations in the same order, so that
+/// pictures are the same to the bit. Where lanes differ (in material, light or kind of shape), each alternative is
+/// computed once, for the lanes that have it.
 #include <bit>
 
 #include "steradian/integrators/path/path_loop.h"
@@ -26,58 +28,63 @@ class PathLanes {
         hasVolumes_(flight_.needed()),
         byLane_(plan.scatterPdf != ScatterPdf::Bsdf) {}
 
-  /// What the paths meet.
+  /// The next vertices of the paths. For the members not described here see PathVertex.
   struct Vertex {
     SurfacePoint<F> surface;
-    Mask hit{false};  ///< there is one; where there is none, the path has ended
+    Mask hit{false};  ///< the path has a vertex; where it has none, it has ended
     ScatterPoint<F> point;
     Vec3<F> wo;
     ShadingFrame<F> frame;
     MaterialTable::Parameters<F> material;
     F diracProbability{0.0f};
     Mask lightSampled{true};
-    // Where there are volumes:
-    Mask inMedium{false};
-    F anisotropy{0.0f};
+    // In scenes with volumes:
+    Mask inMedium{false};  ///< a medium scatters the path there
+    F anisotropy{0.0f};    ///< of that medium
 
-    /// fly() returns the surfaces that the path's rays come to.
-    template <class Fly>
-    Vertex(const MaterialTable& materials, const PathState<F>& path, const Fly& fly)
-        : surface(fly()),
+    /// intersect() returns the surfaces that the paths' rays meet. (It is called here so that the points, which are
+    /// large, are built in place.)
+    template <class Intersect>
+    Vertex(const MaterialTable& materials, const PathState<F>& path, const Intersect& intersect)
+        : surface(intersect()),
           point(scatterPoint(surface, path.ray.time)),
           wo(-path.ray.direction),
           frame(surface.geometricNormal, usableShadingNormal(surface.geometricNormal, surface.shadingNormal, wo)),
           material(materials.parameters(surface, surface.valid)) {}
   };
 
-  /// Sends the active lanes' paths to what they meet. Radiance grows by what they find on the way and there.
-  [[gnu::always_inline]] inline Vertex arrive(PathState<F>& path, const Sampler<F>& sampler, Uint bounce, Mask active,
-                                              Spectrum<F>& radiance);
-  /// Tells sampleOf(i), a PixelSample, what lane i has met first.
+  /// First stage: traces the rays of the active paths to their next vertices. The radiance emitted there, by the sky
+  /// and by media on the way is added to `radiance`.
+  [[gnu::always_inline]] inline Vertex nextVertex(PathState<F>& path, const Sampler<F>& sampler, Uint bounce,
+                                                  Mask active, Spectrum<F>& radiance);
+  /// Second stage, next event estimation: radiance that leaves the vertices towards wo of light that arrives straight
+  /// from the lights, by light samples and shadow rays.
+  Spectrum<F> sampleDirectLight(const Vertex& vertex, const Sampler<F>& sampler, Uint bounce, Mask going);
+  struct Scattered {
+    Mask going;  ///< the paths that go on
+    F pdf;       ///< the density of their directions; may be kDirac
+  };
+  /// Third stage: samples the directions in which paths go on, plays Russian roulette, and makes `path` the state of
+  /// those that are left.
+  Scattered scatter(const Vertex& vertex, const Sampler<F>& sampler, Uint bounce, Mask going, PathState<F>& path);
+
+  /// Records what camera rays have met first: sampleOf(i) returns the PixelSample& of lane i.
   template <class SampleOf>
-  void recordFirst(const Vertex& vertex, Mask lanes, const SampleOf& sampleOf) const;
-  /// Radiance that leaves the vertices by which paths came to them, of light that comes straight from the lights.
-  Spectrum<F> directLight(const Vertex& vertex, const Sampler<F>& sampler, Uint bounce, Mask going);
-  /// Radiance towards wo per radiance from wi (times the cosine), and the density with which `leave` takes a continuous
-  /// lobe and chooses wi.
+  void recordFirstHit(const Vertex& vertex, Mask lanes, const SampleOf& sampleOf) const;
+  /// The BSDF (or phase function) times the cosine for light from wi, and the density with which scatter() takes a
+  /// continuous lobe and chooses wi.
   BsdfValue<F> evaluate(const Vertex& vertex, const Vec3<F>& wi, Mask lanes) const {
     BsdfValue<F> f = eval(vertex, wi, lanes);
-    f.pdf = mixedDensity(vertex, wi, f.pdf, lanes);
+    f.pdf = mixtureDensity(vertex, wi, f.pdf, lanes);
     return f;
   }
-  struct Departure {
-    Mask going;  ///< those that do go on
-    F pdf;       ///< with which their directions were chosen; kDirac
-  };
-  /// Sends paths on from their vertices.
-  Departure leave(const Vertex& vertex, const Sampler<F>& sampler, Uint bounce, Mask going, PathState<F>& path);
 
   bool hasVolumes() const { return hasVolumes_; }
-  /// Where there are volumes, what the lanes' rays are inside of.
+  /// In scenes with volumes: the closed shapes that the lanes' rays are inside of, and their free flight.
   WideFreeFlight<F>& flight() { return flight_; }
 
  private:
-  /// A model on a surface.
+  /// A model of reflection in its shading frame: what evaluates and samples like Phase.
   template <class Model>
   struct Shading {
     const ShadingFrame<F>& frame;
@@ -88,7 +95,7 @@ class PathLanes {
       return frame.sample(model, wo, random, t);
     }
   };
-  /// Calls visit(scatterer, mask) for every kind of Shading and for Phase, if some active lane has it.
+  /// Calls visit(scatterer, lanes) for Phase and for each kind of Shading that active lanes have.
   template <class Visit>
   void forEachScatterer(const Vertex& vertex, Mask active, const Visit& visit) const {
     if (hasVolumes_) {
@@ -101,24 +108,30 @@ class PathLanes {
     });
   }
 
-  /// The surfaces that the paths come to. (With a conditional operator the points would be copied.)
-  SurfacePoint<F> fly(PathState<F>& path, const Sampler<F>& sampler, Uint bounce, Mask active, Spectrum<F>& radiance) {
+  /// The surfaces that the paths' rays meet. (Two returns, as a conditional operator would copy the points.)
+  SurfacePoint<F> intersect(PathState<F>& path, const Sampler<F>& sampler, Uint bounce, Mask active,
+                            Spectrum<F>& radiance) {
     if (!hasVolumes_) return scene_.intersect(path.ray, active);
-    return flight_.fly(path.ray, active, sampler.get2D(bounce, Purpose::FreeFlight), path.throughput, radiance);
+    return flight_.traceThroughMedia(path.ray, active, sampler.get2D(bounce, Purpose::FreeFlight), path.throughput,
+                                     radiance);
   }
-  void addEmission(const PathState<F>& path, const SurfacePoint<F>& surface, Mask arrived, Spectrum<F>& radiance);
-  [[gnu::noinline]] void addMedia(Vertex& vertex);
-  Spectrum<F> directLight(const LightSet& lights, const Vertex& vertex, const Sampler<F>& sampler, Uint bounce,
-                          Mask lit);
+  /// Adds what surfaces and skies emit towards where the rays come from. `lanes`: those that no medium has scattered.
+  void addEmittedRadiance(const PathState<F>& path, const SurfacePoint<F>& surface, Mask lanes, Spectrum<F>& radiance);
+  /// Moves vertices in media to where these scatter, and makes the index of dielectrics relative to what is outside.
+  [[gnu::noinline]] void applyMedia(Vertex& vertex);
+  Spectrum<F> sampleDirectLight(const LightSet& lights, const Vertex& vertex, const Sampler<F>& sampler, Uint bounce,
+                                Mask lit);
   BsdfValue<F> eval(const Vertex& vertex, const Vec3<F>& wi, Mask lanes) const;
   BsdfSample<F> sample(const Vertex& vertex, const BsdfRandom<F>& random, Mask lanes) const;
-  /// As in path_loop.h.
-  F mixedDensity(const Vertex& vertex, const Vec3<F>& wi, F scattered, Mask lanes) const;
-  BsdfSample<F> scatter(const Vertex& vertex, const Sampler<F>& sampler, Uint bounce, Mask going);
-  [[gnu::noinline]] BsdfSample<F> scatterMixture(const Vertex& vertex, const BsdfRandom<F>& random,
-                                                 const Sampler<F>& sampler, Uint bounce, Mask going);
-  /// Calls visit(vertex, sampler, bounce, lane) for lanes one by one, with a vertex of width 1: for what is done by
-  /// the functions of path_loop.h, because it draws from other densities.
+  // The functions of these names in path_loop.h, for several paths.
+  F mixtureDensity(const Vertex& vertex, const Vec3<F>& wi, F scattered, Mask lanes) const;
+  BsdfSample<F> sampleNextDirection(const Vertex& vertex, const Sampler<F>& sampler, Uint bounce, Mask going);
+  [[gnu::noinline]] BsdfSample<F> sampleMixture(const Vertex& vertex, const BsdfRandom<F>& random,
+                                                const Sampler<F>& sampler, Uint bounce, Mask going);
+  /// Ends paths by chance that carry little, and returns those that go on, their throughput raised.
+  Mask playRoulette(const Sampler<F>& sampler, Uint bounce, Mask going, PathState<F>& path);
+  /// Calls visit(vertex, sampler, bounce, lane) for the lanes one by one, with a PathVertex: densities other than the
+  /// BSDF's (PathPlan::scatterPdf) are left to the functions of path_loop.h.
   template <class Visit>
   void forEachVertex(const Vertex& vertex, const Sampler<F>& sampler, Uint bounce, Mask lanes, const Visit& visit);
 
@@ -127,33 +140,34 @@ class PathLanes {
   PathCounts& counts_;
   WideFreeFlight<F> flight_;
   bool hasVolumes_;
-  bool byLane_;
-  static constexpr std::uint32_t kDielectric = indexOfModel<Dielectric<float>>();
+  bool byLane_;  ///< vertices are dealt with by forEachVertex()
 };
 
 template <class F>
-typename PathLanes<F>::Vertex PathLanes<F>::arrive(PathState<F>& path, const Sampler<F>& sampler, Uint bounce,
-                                                   Mask active, Spectrum<F>& radiance) {
-  Vertex vertex(scene_.materials(), path, [&] { return fly(path, sampler, bounce, active, radiance); });
+typename PathLanes<F>::Vertex PathLanes<F>::nextVertex(PathState<F>& path, const Sampler<F>& sampler, Uint bounce,
+                                                       Mask active, Spectrum<F>& radiance) {
+  // Intersect the rays with the scene; media may scatter paths before.
+  Vertex vertex(scene_.materials(), path, [&] { return intersect(path, sampler, bounce, active, radiance); });
   const SurfacePoint<F>& surface = vertex.surface;
   vertex.hit = active & surface.valid;
-  Mask arrived = active;
+  Mask unscattered = active;
   if (hasVolumes_) {
-    arrived = active & !flight_.inMedium();
+    unscattered = active & !flight_.inMedium();
     vertex.hit = (vertex.hit | (active & flight_.inMedium())) & !isBlack(path.throughput);
   }
-  addEmission(path, surface, arrived, radiance);
+  addEmittedRadiance(path, surface, unscattered, radiance);
 
+  // Ask the materials what decides how the vertex is sampled.
   Mask onSurface = vertex.hit;
   if (hasVolumes_) {
-    addMedia(vertex);
+    applyMedia(vertex);
     onSurface = onSurface & !vertex.inMedium;
   }
   const Vec3<F> localWo = vertex.frame.toLocal(vertex.wo);
   scene_.materials().forEachModel(vertex.material, onSurface, [&](const auto& model, Mask mine) {
     vertex.diracProbability = select(mine, model.diracProbability(localWo), vertex.diracProbability);
     if (plan_.strategy == Strategy::Light) {
-      vertex.lightSampled = select(mine, Mask(samplesLights(model, localWo)), vertex.lightSampled);
+      vertex.lightSampled = select(mine, Mask(suitsLightSampling(model, localWo)), vertex.lightSampled);
     }
   });
   return vertex;
@@ -161,7 +175,7 @@ typename PathLanes<F>::Vertex PathLanes<F>::arrive(PathState<F>& path, const Sam
 
 template <class F>
 template <class SampleOf>
-void PathLanes<F>::recordFirst(const Vertex& vertex, Mask lanes, const SampleOf& sampleOf) const {
+void PathLanes<F>::recordFirstHit(const Vertex& vertex, Mask lanes, const SampleOf& sampleOf) const {
   const Vec3<F> normal = faceForward(vertex.frame.shadingNormal(), vertex.wo);
   const Vec3<F> localWo = vertex.frame.toLocal(vertex.wo);
   Spectrum<F> albedo;
@@ -182,32 +196,29 @@ void PathLanes<F>::recordFirst(const Vertex& vertex, Mask lanes, const SampleOf&
 }
 
 template <class F>
-void PathLanes<F>::addEmission(const PathState<F>& path, const SurfacePoint<F>& surface, Mask arrived,
-                               Spectrum<F>& radiance) {
+void PathLanes<F>::addEmittedRadiance(const PathState<F>& path, const SurfacePoint<F>& surface, Mask lanes,
+                                      Spectrum<F>& radiance) {
   const float lightSamples = static_cast<float>(plan_.lightSamples);
-  const Mask finds = scene_.findsLight(surface, arrived), sky = finds & !surface.valid;
+  const Mask finds = scene_.findsLight(surface, lanes), sky = finds & !surface.valid;
   if (any(sky)) {
     const Emission<F> emission = plan_.lights->skyEmission(path.from, path.ray.direction);
-    const F weight =
-        select(emission.pdf > F(0.0f), misWeight(path.fromDensity, F(lightSamples) * emission.pdf), F(1.0f));
+    const F weight = emissionWeight(path.fromDensity, F(lightSamples), emission.pdf);
     radiance = select(sky, radiance + path.throughput * emission.radiance * weight, radiance);
   }
-  // Few lanes at a time: once per path at most, but for lights that one sees through glass.
+  // Lane by lane, as few hit an emitter at the same time: mostly a path ends there.
   forEachLane(finds & surface.valid, [&](int i) {
     const PathState<float> one = lane(path, i);
     const Emission<float> emission = plan_.lights->emission(one.from, one.ray, lane(surface, i));
-    const float weight = emission.pdf > 0.0f ? misWeight(one.fromDensity, lightSamples * emission.pdf) : 1.0f;
+    const float weight = emissionWeight(one.fromDensity, lightSamples, emission.pdf);
     setLane(radiance, i, lane(radiance, i) + one.throughput * emission.radiance * weight);
   });
 }
 
-/// What media make of the vertices: places where they scatter, and the index around dielectrics.
 template <class F>
-void PathLanes<F>::addMedia(Vertex& vertex) {
+void PathLanes<F>::applyMedia(Vertex& vertex) {
   const Mask inMedium = flight_.inMedium();
   vertex.inMedium = inMedium;
-  F& eta = vertex.material.eta;
-  eta = select(vertex.material.model == Uint(kDielectric), eta / flight_.outsideEta(), eta);
+  vertex.material.outsideEta = flight_.outsideEta();
   vertex.point.position = select(inMedium, flight_.position(), vertex.point.position);
   vertex.point.positionError = select(inMedium, Vec3<F>{}, vertex.point.positionError);
   vertex.point.geometricNormal = select(inMedium, Vec3<F>{}, vertex.point.geometricNormal);
@@ -215,24 +226,24 @@ void PathLanes<F>::addMedia(Vertex& vertex) {
 }
 
 template <class F>
-Spectrum<F> PathLanes<F>::directLight(const Vertex& vertex, const Sampler<F>& sampler, Uint bounce, Mask going) {
+Spectrum<F> PathLanes<F>::sampleDirectLight(const Vertex& vertex, const Sampler<F>& sampler, Uint bounce, Mask going) {
   if (byLane_) {
     Spectrum<F> light;
     SceneQueries queries(scene_.scene(), counts_);
     forEachVertex(vertex, sampler, bounce, going, [&](const auto& one, const auto& own, std::uint32_t k, int i) {
-      setLane(light, i, steradian::directLight(plan_, queries, one, own, k));
+      setLane(light, i, steradian::sampleDirectLight(plan_, queries, one, own, k));
     });
     return light;
   }
   const Mask lit = going & (vertex.diracProbability < F(1.0f));
-  if (plan_.strategy != Strategy::Light) return directLight(*plan_.lights, vertex, sampler, bounce, lit);
-  const Spectrum<F> all = directLight(*plan_.lights, vertex, sampler, bounce, lit & vertex.lightSampled);
-  return all + directLight(*plan_.diracLights, vertex, sampler, bounce, lit & !vertex.lightSampled);
+  if (plan_.strategy != Strategy::Light) return sampleDirectLight(*plan_.lights, vertex, sampler, bounce, lit);
+  const Spectrum<F> all = sampleDirectLight(*plan_.lights, vertex, sampler, bounce, lit & vertex.lightSampled);
+  return all + sampleDirectLight(*plan_.diracLights, vertex, sampler, bounce, lit & !vertex.lightSampled);
 }
 
 template <class F>
-Spectrum<F> PathLanes<F>::directLight(const LightSet& lights, const Vertex& vertex, const Sampler<F>& sampler,
-                                      Uint bounce, Mask lit) {
+Spectrum<F> PathLanes<F>::sampleDirectLight(const LightSet& lights, const Vertex& vertex, const Sampler<F>& sampler,
+                                            Uint bounce, Mask lit) {
   Spectrum<F> sum;
   if (lights.empty() || !any(lit)) return sum;
   const F count(static_cast<float>(plan_.lightSamples));
@@ -247,10 +258,10 @@ Spectrum<F> PathLanes<F>::directLight(const LightSet& lights, const Vertex& vert
     if (!any(sampled)) continue;
     counts_.shadowRays += static_cast<std::uint64_t>(std::popcount(laneBits(sampled)));
     const Ray<F> shadow = spawnRay(vertex.point, light.wi, light.distance);
-    const F other = plan_.strategy == Strategy::Mis ? mixedDensity(vertex, light.wi, f.pdf, sampled) : F(0.0f);
-    const F weight = misWeight(count * light.pdf, other);
+    const F scatterPdf = plan_.strategy == Strategy::Mis ? mixtureDensity(vertex, light.wi, f.pdf, sampled) : F(0.0f);
+    const F weight = lightSampleWeight(count, light.pdf, scatterPdf);
     if (hasVolumes_) {
-      const Spectrum<F> visible = flight_.transmittance(vertex.surface, vertex.wo, shadow, sampled);
+      const Spectrum<F> visible = flight_.shadowTransmittance(vertex.surface, vertex.wo, shadow, sampled);
       sum += select(sampled & !isBlack(visible), f.value * light.weight * visible * weight, Spectrum<F>{});
     } else {
       const Mask visible = sampled & !scene_.occluded(shadow, sampled);
@@ -285,19 +296,20 @@ BsdfSample<F> PathLanes<F>::sample(const Vertex& vertex, const BsdfRandom<F>& ra
 }
 
 template <class F>
-F PathLanes<F>::mixedDensity(const Vertex& vertex, const Vec3<F>& wi, F scattered, Mask lanes) const {
+F PathLanes<F>::mixtureDensity(const Vertex& vertex, const Vec3<F>& wi, F scattered, Mask lanes) const {
   if (!(plan_.targetWeight > 0.0f)) return scattered;
   const F targetPdf = (F(1.0f) - vertex.diracProbability) * plan_.targets->pdfDirection(vertex.point, wi, lanes);
   return F(plan_.targetWeight) * targetPdf + F(1.0f - plan_.targetWeight) * scattered;
 }
 
 template <class F>
-BsdfSample<F> PathLanes<F>::scatter(const Vertex& vertex, const Sampler<F>& sampler, Uint bounce, Mask going) {
+BsdfSample<F> PathLanes<F>::sampleNextDirection(const Vertex& vertex, const Sampler<F>& sampler, Uint bounce,
+                                                Mask going) {
   if (byLane_) {
     BsdfSample<F> samples;
     SceneQueries queries(scene_.scene(), counts_);
     forEachVertex(vertex, sampler, bounce, going, [&](const auto& one, const auto& own, std::uint32_t k, int i) {
-      const BsdfSample<float> next = scatteredRay(plan_, queries, one, own, k);
+      const BsdfSample<float> next = steradian::sampleNextDirection(plan_, queries, one, own, k);
       setLane(samples.weight, i, next.weight);
       setLane(samples.wi, i, next.wi);
       setLane(samples.pdf, i, next.pdf);
@@ -309,13 +321,13 @@ BsdfSample<F> PathLanes<F>::scatter(const Vertex& vertex, const Sampler<F>& samp
   F lobe(0.0f);
   if (any(choosing)) lobe = select(choosing, sampler.get1D(bounce, Purpose::BsdfLobe), lobe);
   const BsdfRandom<F> random{lobe, sampler.get2D(bounce, Purpose::BsdfDirection)};
-  if (plan_.targetWeight > 0.0f) return scatterMixture(vertex, random, sampler, bounce, going);
+  if (plan_.targetWeight > 0.0f) return sampleMixture(vertex, random, sampler, bounce, going);
   return sample(vertex, random, going);
 }
 
 template <class F>
-BsdfSample<F> PathLanes<F>::scatterMixture(const Vertex& vertex, const BsdfRandom<F>& random, const Sampler<F>& sampler,
-                                           Uint bounce, Mask going) {
+BsdfSample<F> PathLanes<F>::sampleMixture(const Vertex& vertex, const BsdfRandom<F>& random, const Sampler<F>& sampler,
+                                          Uint bounce, Mask going) {
   const Mask mixed = going & !(random.lobe < vertex.diracProbability);
   const MixtureChoice<F> choice(plan_.targetWeight, random.direction);
   const Mask aimed = mixed & choice.aimed;
@@ -330,7 +342,7 @@ BsdfSample<F> PathLanes<F>::scatterMixture(const Vertex& vertex, const BsdfRando
   const Mask found = mixed & (select(aimed, target.pdf, scattered.pdf) > F(0.0f));
   const BsdfValue<F> f = eval(vertex, wi, found);
   const Mask lit = found & !isBlack(f.value);
-  const F pdf = any(lit) ? select(lit, mixedDensity(vertex, wi, f.pdf, lit), F(0.0f)) : F(0.0f);
+  const F pdf = any(lit) ? select(lit, mixtureDensity(vertex, wi, f.pdf, lit), F(0.0f)) : F(0.0f);
   return {select(mixed, f.value / pdf, scattered.weight), wi, select(mixed, pdf, scattered.pdf), Lobe<F>(kLobeDiffuse),
           select(mixed, F(1.0f), scattered.eta)};
 }
@@ -356,18 +368,22 @@ void PathLanes<F>::forEachVertex(const Vertex& vertex, const Sampler<F>& sampler
 }
 
 template <class F>
-typename PathLanes<F>::Departure PathLanes<F>::leave(const Vertex& vertex, const Sampler<F>& sampler, Uint bounce,
-                                                     Mask going, PathState<F>& path) {
-  const BsdfSample<F> next = scatter(vertex, sampler, bounce, going);
+MaskOf<F> PathLanes<F>::playRoulette(const Sampler<F>& sampler, Uint bounce, Mask going, PathState<F>& path) {
+  const Mask atStake = going & !(bounce < Uint(plan_.rouletteStart));
+  if (!any(atStake)) return going;
+  const F survival = survivalProbability(plan_.rouletteStrength, path.throughput, path.refraction);
+  path.throughput = select(atStake, path.throughput * (F(1.0f) / survival), path.throughput);
+  return going & ((!atStake) | (sampler.get1D(bounce, Purpose::Roulette) < survival));
+}
+
+template <class F>
+typename PathLanes<F>::Scattered PathLanes<F>::scatter(const Vertex& vertex, const Sampler<F>& sampler, Uint bounce,
+                                                       Mask going, PathState<F>& path) {
+  const BsdfSample<F> next = sampleNextDirection(vertex, sampler, bounce, going);
   going = going & (next.pdf > F(0.0f));
   path.throughput = select(going, path.throughput * next.weight, path.throughput);
   path.refraction = select(going, path.refraction * sqr(next.eta), path.refraction);
-  const Mask atStake = going & !(bounce < Uint(plan_.rouletteStart));
-  if (any(atStake)) {
-    const F survival = survivalProbability(plan_.rouletteStrength, path.throughput, path.refraction);
-    going = going & ((!atStake) | (sampler.get1D(bounce, Purpose::Roulette) < survival));
-    path.throughput = select(atStake, path.throughput * (F(1.0f) / survival), path.throughput);
-  }
+  going = playRoulette(sampler, bounce, going, path);
   if (hasVolumes_) flight_.scatter(vertex.surface, vertex.wo, next.wi, going);
   path.ray = spawnRay(vertex.point, next.wi, F(kInfinity));
   path.from = vertex.point;

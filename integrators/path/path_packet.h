@@ -1,13 +1,14 @@
 #pragma once
-/// Several paths at once: the loop of path_loop.h with a path in each lane. A lane whose path has ended takes the next
-/// one, so that all lanes have work until paths run out.
+/// Traces several paths at once: the loop of path_loop.h with a path in each lane. A lane whose path has ended takes
+/// the next one, so that all lanes have work until there are no more paths.
 ///
-/// Where they come from and what becomes of them is the Source's:
+/// Paths come from a Source, which is also told what becomes of them:
 ///
-///     bool empty();
-///     PathStart take();                              // the next path; there must be one
-///     void arrived(const PathLanes<F>&, const Vertex&, Uint bounce, const Numbers&);  // of lanes with vertex.hit
-///     void ended(std::uint32_t number, Rgb radiance);
+///     bool empty();                                   // there are no more paths
+///     PathStart take();                               // the next path; there must be one
+///     void arrived(const PathLanes<F>&, const Vertex&, Uint bounce, const Numbers&);  // at the vertices with
+///     vertex.hit void ended(std::uint32_t number, Rgb radiance); // the path of that number, and the radiance that it
+///     has found
 #include <array>
 #include <optional>
 
@@ -17,9 +18,9 @@ namespace steradian {
 
 struct PathStart {
   PathState<float> path;
-  std::uint32_t bounce;  ///< 0: at the camera. Others are not for scenes with volumes.
-  std::uint32_t pixel, sample;
-  std::uint32_t number;
+  std::uint32_t bounce;         ///< bounces so far; must be 0 in scenes with volumes
+  std::uint32_t pixel, sample;  ///< what its random numbers are a function of (Sampler)
+  std::uint32_t number;         ///< by which the source knows the path
 };
 
 template <class F>
@@ -63,7 +64,7 @@ class PathPacket {
   std::optional<Sampler<F>> sampler_;
 };
 
-/// Gives lane i the next path, or nothing to do.
+/// Gives lane i the next path; if there is none, the lane is no longer active.
 template <class F>
 template <class Source>
 void PathPacket<F>::start(int i, Source& source) {
@@ -79,16 +80,23 @@ void PathPacket<F>::start(int i, Source& source) {
   number_[static_cast<std::size_t>(i)] = next.number;
 }
 
-/// Brings every path to its next vertex and sends it on from there.
+/// One bounce of every path.
 template <class F>
 template <class Source>
 void PathPacket<F>::step(Source& source) {
-  const typename PathLanes<F>::Vertex vertex = lanes_.arrive(path_, *sampler_, bounce_, active_, radiance_);
+  // Intersect the rays with the scene, and add the radiance that is emitted there.
+  const typename PathLanes<F>::Vertex vertex = lanes_.nextVertex(path_, *sampler_, bounce_, active_, radiance_);
   source.arrived(lanes_, vertex, bounce_, number_);
   Mask going = vertex.hit & (bounce_ != Uint(plan_.maxDepth));
-  const Spectrum<F> light = path_.throughput * lanes_.directLight(vertex, *sampler_, bounce_, going);
+
+  // Sample direct light.
+  const Spectrum<F> light = path_.throughput * lanes_.sampleDirectLight(vertex, *sampler_, bounce_, going);
   radiance_ = select(going, radiance_ + light, radiance_);
-  going = lanes_.leave(vertex, *sampler_, bounce_, going, path_).going;
+
+  // Sample the BSDF, play Russian roulette and spawn the next rays.
+  going = lanes_.scatter(vertex, *sampler_, bounce_, going, path_).going;
+
+  // Lanes whose paths have ended take the next paths.
   const Mask ended = active_ & !going;
   forEachLane(ended, [&](int i) {
     source.ended(number_[static_cast<std::size_t>(i)], lane(radiance_, i));

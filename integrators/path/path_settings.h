@@ -50,12 +50,9 @@ struct PathSettings {
   /// That many neighbouring pixels, 1 or a power of two up to kMaxReuse, share what their paths find after the second
   /// vertex (shared_paths.h). Where most light comes from Lambertian surfaces by way of others, pixels have several
   /// times less noise in the same time; but those that share err together, as a block. Not for scenes with media or
-  /// motion, nor for width 1 or another scatterPdf. Roulette begins with the second vertex at the earliest. Squares of
-  /// 16 x 16 pixels are traced whole, also where the crop cuts through them.
+  /// motion, nor for a width of 1 (ExecutionSettings) or another scatterPdf. Roulette begins with the second vertex at
+  /// the earliest. Squares of 16 x 16 pixels are traced whole, also where the crop cuts through them.
   std::uint32_t reuse = 1;
-  /// Paths traced at once: 1, 4, 8, 16, or 0 for as many as an instruction of the processor holds floats. A matter of
-  /// speed only.
-  std::uint32_t width = 0;
 };
 
 }  // namespace steradian

@@ -1,5 +1,5 @@
 #pragma once
-/// Where a path is on its way from one vertex to the next.
+/// What a path carries from one vertex to the next.
 #include "steradian/core/math/ray.h"
 #include "steradian/core/transport/scattering.h"
 #include "steradian/core/transport/spectrum.h"
@@ -9,13 +9,13 @@ namespace steradian {
 template <class F>
 struct PathState {
   Ray<F> ray;
-  ScatterPoint<F> from;  ///< that the ray leaves
-  Spectrum<F> throughput = grey(F(1.0f));
-  F fromDensity{kDirac};  ///< competingDensity (path_loop.h) of the ray's direction
-  F refraction{1.0f};     ///< see survivalProbability, there
+  ScatterPoint<F> from;                    ///< the point that the ray leaves
+  Spectrum<F> throughput = grey(F(1.0f));  ///< radiance at the camera per radiance that arrives along the ray
+  F fromDensity{kDirac};                   ///< competingDensity() (mis_weights.h) of the ray's direction
+  F refraction{1.0f};                      ///< see survivalProbability() (path_loop.h)
 
   PathState() = default;
-  /// Of a path that begins at the camera.
+  /// A path that begins at the camera.
   explicit PathState(const Ray<F>& cameraRay) : ray(cameraRay) {
     from.position = ray.origin;
     from.time = ray.time;

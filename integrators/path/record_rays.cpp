@@ -2,6 +2,8 @@
 
 #include "steradian/core/base/parallel.h"
 #include "steradian/integrators/path/path.h"
+#include "steradian/integrators/path/path_context.h"
+#include "steradian/integrators/path/path_loop.h"
 #include "steradian/integrators/render/render.h"
 
 namespace steradian {
@@ -27,24 +29,31 @@ class RecordingQueries : public SceneQueries {
   bool first_ = true;
 };
 
-/// For one thread: all its rays go to one list.
-class RecordingIntegrator final : public RadianceIntegrator {
+/// Paths whose rays all go to one list: for one thread.
+class RecordingIntegrator final : public Integrator {
  public:
-  RecordingIntegrator(const Scene& scene, const PathSettings& path, std::vector<RecordedRay>& rays)
-      : tracer_(scene, path), rays_(rays) {}
+  RecordingIntegrator(const PathSettings& path, std::vector<RecordedRay>& rays) : path_(path), rays_(rays) {}
 
-  Rgb radiance(const Scene& scene, const Ray<float>& ray, const Sampler<float>& sampler) const override {
-    PathCounts counts;
-    return evaluate(scene, ray, sampler, counts).radiance;
-  }
-  PixelSample evaluate(const Scene& scene, const Ray<float>& ray, const Sampler<float>& sampler,
-                       PathCounts& counts) const override {
-    RecordingQueries queries(scene, counts, rays_);
-    return tracePath(tracer_.plan(), queries, ray, sampler);
+  std::unique_ptr<const PreparedIntegrator> prepare(const Scene& scene, const ExecutionSettings&) const override {
+    return std::make_unique<Prepared>(scene, path_.settings(), rays_);
   }
 
  private:
-  PathTracer tracer_;
+  class Prepared final : public PreparedSampleIntegrator {
+   public:
+    Prepared(const Scene& scene, const PathSettings& path, std::vector<RecordedRay>& rays)
+        : context_(scene, path), rays_(rays) {}
+    PixelSample evaluate(const Ray<float>& ray, const Sampler<float>& sampler, PathCounts& counts) const override {
+      RecordingQueries queries(context_.scene(), counts, rays_);
+      return tracePath(context_.plan(), queries, ray, sampler);
+    }
+
+   private:
+    PathContext context_;
+    std::vector<RecordedRay>& rays_;
+  };
+
+  PathIntegrator path_;
   std::vector<RecordedRay>& rays_;
 };
 
@@ -52,7 +61,7 @@ class RecordingIntegrator final : public RadianceIntegrator {
 
 std::vector<RecordedRay> recordRays(const Scene& scene, const PathSettings& path, const RenderSettings& settings) {
   std::vector<RecordedRay> rays;
-  onOneThread([&] { render(scene, RecordingIntegrator(scene, PathIntegrator(path).settings(), rays), settings); });
+  onOneThread([&] { render(scene, RecordingIntegrator(path, rays), settings); });
   return rays;
 }
 

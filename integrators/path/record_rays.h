@@ -1,5 +1,5 @@
 #pragma once
-/// The rays that a render traces, to measure how fast they can be traced alone.
+/// Records the rays of a render, to measure how fast they can be traced without anything else.
 #include <vector>
 
 #include "steradian/integrators/path/path_settings.h"

@@ -1,5 +1,5 @@
 #pragma once
-/// What the path loop asks of a scene.
+/// The questions that path tracing asks a scene.
 #include "steradian/integrators/render/render_statistics.h"
 #include "steradian/integrators/scene/scene.h"
 #include "steradian/integrators/volumes/crossings.h"
@@ -8,9 +8,9 @@
 
 namespace steradian {
 
-/// The questions of the path loop (path_loop.h), answered by the scene and its rays counted. The loop takes this type
-/// as a template parameter, so that a benchmark can record the rays and a test can falsify a density at no cost to
-/// renders: derive and hide the functions that shall behave otherwise.
+/// Answers the questions of the path loop (path_loop.h) from a scene, and counts the rays. The loop takes this type as
+/// a template parameter, so that a benchmark can record rays and a test can falsify a density without cost to renders:
+/// derive from it, and hide the functions that are to behave otherwise.
 class SceneQueries {
  public:
   SceneQueries(const Scene& scene, PathCounts& counts) : scene_(scene), counts_(counts) {}

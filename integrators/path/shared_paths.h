@@ -1,20 +1,21 @@
 #pragma once
-/// Paths of which pixels share what comes after the second vertex (Bekaert, Sbert and Halton 2002, "Accelerating path
-/// tracing by re-using paths").
+/// Path reuse: neighbouring pixels share what their paths find after the second vertex (Bekaert, Sbert and Halton 2002,
+/// "Accelerating path tracing by re-using paths").
 ///
-/// Neighbouring pixels make groups: aligned blocks of 2 x 1, 2 x 2, 4 x 2, ... Samples of the same index in a group
-/// each trace a path of their own: camera, x1, x2, and on from there. Where x2 is Lambertian, it sends the same
-/// radiance L to everywhere it is seen from, so the x1 of all other paths of the group are connected with it. Every one
-/// of them could have come to this x2 by sampling a direction: with the density p_k(x2) per m^2 if it sees it, 0 if
-/// not. By the balance heuristic over these densities, path i gathers
+/// Pixels form groups: aligned blocks of 2 x 1, 2 x 2, 4 x 2, ... The samples of one index in a group each trace a path
+/// of their own: camera, x1, x2, and on from there. A Lambertian x2 sends the same radiance L in all directions, so the
+/// x1 of all other paths of the group can be connected with it. Each of them might have sampled the direction to this
+/// x2 itself: with a density p_k(x2) per m^2, which is 0 if something is between them. By the balance heuristic (Veach
+/// 1997, 9.2.2) over these densities, path i gathers
 ///
 ///     sum over j of f_i(x2_j) G(x1_i, x2_j) V(x1_i, x2_j) L_j / sum over k of p_k(x2_j).
 ///
-/// That is unbiased, as each L_j is. A connection costs a BSDF and a shadow ray, where a path takes a dozen rays. Light
-/// that x2 emits belongs to each path alone, as in path_loop.h, and so does what comes by Dirac lobes and from surfaces
-/// of other models.
+/// That is unbiased, because each L_j is. A connection costs one evaluation of a BSDF and a shadow ray, where a path
+/// takes a dozen rays. Not shared are the light that x2 emits, which each path counts for itself as in path_loop.h,
+/// what comes by Dirac lobes, and what comes from surfaces that are not Lambertian.
 ///
-/// The means of a group's pixels are no better than without: the gain is that their errors are correlated.
+/// Each pixel has less noise, but pixels of a group have much of it in common: the mean of a group is no better than
+/// without reuse.
 #include <bit>
 #include <span>
 #include <vector>
@@ -26,18 +27,19 @@
 
 namespace steradian {
 
-/// The samples of one square of pixels: a source of PathPacket, which traces the paths from x2 on.
+/// The samples of one square of pixels. It traces paths up to where they leave x2, is the Source of PathPacket for the
+/// rest of them, and connects them when they have all ended.
 template <class F>
 class SharedPaths {
  public:
   static constexpr std::uint32_t kEdge = kSharingEdge, kPixels = kEdge * kEdge;  ///< of the square
   static constexpr int width = widthOf<F>;
 
-  /// Samples first, ..., first + perPixel - 1 of the pixels of the square, of which the corner is (x, y).
+  /// Samples first, ..., first + perPixel - 1 of the pixels of the square whose corner is (x, y).
   SharedPaths(const WideScene& scene, const PathPlan& plan, const RenderJob& job, int x, int y, std::uint32_t first,
               std::uint32_t perPixel, PathCounts& counts);
 
-  // What PathPacket asks for.
+  // The Source of PathPacket.
   bool empty() {
     while (waiting_ == 0 && begun_ < count_) begin();
     return waiting_ == 0;
@@ -47,7 +49,7 @@ class SharedPaths {
                const typename PathPacket<F>::Numbers&) {}
   void ended(std::uint32_t number, Rgb radiance) { later_[number] += radiance; }
 
-  /// Once the packet has traced all paths: the samples, pixel by pixel, row by row.
+  /// To be called when the packet has traced all paths: the samples, pixel by pixel, row by row.
   std::span<const PixelSample> finish();
 
  private:
@@ -55,20 +57,20 @@ class SharedPaths {
   using Uint = UintOf<F>;
   using Vertex = typename PathLanes<F>::Vertex;
 
-  /// The paths in the lanes: what connecting them needs.
+  /// What is kept of as many paths as there are lanes, to connect them later.
   struct Batch {
     Vertex vertex;                                                     ///< x1
-    Mask connects;                                                     ///< x1 can be connected with something
-    Mask alone;                                                        ///< of what comes from x2, nothing is shared
+    Mask connects;                                                     ///< x1 can gather light from x2 of other paths
+    Mask alone;                                                        ///< the path has an x2 that is not shared
     Spectrum<F> throughput;                                            ///< from x2 to the camera
-    Spectrum<F> radiance;                                              ///< of all that is not from x2
-    F weight;                                                          ///< of the camera sample
-    std::array<std::uint32_t, static_cast<std::size_t>(width)> place;  ///< in the results
+    Spectrum<F> radiance;                                              ///< that the path has found before x2 reflects
+    F weight;                                                          ///< of the camera sample, by the filter
+    std::array<std::uint32_t, static_cast<std::size_t>(width)> place;  ///< of the samples in results_
   };
   enum Row : std::size_t { kX, kY, kZ, kNormalX, kNormalY, kNormalZ, kRed, kGreen, kBlue, kRows };
 
   void begin();
-  /// Whole groups and whole batches.
+  /// How many paths are connected at a time: whole groups and whole batches.
   std::size_t together() const { return std::max(group_, static_cast<std::size_t>(width)); }
   void connect(std::size_t first);
   BsdfValue<F> connection(const Batch& batch, std::size_t first, std::size_t shift);
@@ -89,15 +91,16 @@ class SharedPaths {
 
   std::uint32_t begun_ = 0;
   std::vector<Batch> batches_;
-  std::vector<Rgb> later_;  ///< radiance that leaves each x2 by reflection
-  GroupRows<F> ends_;       ///< each x2
+  std::vector<Rgb> later_;  ///< radiance that each x2 reflects
+  GroupRows<F> ends_;       ///< each x2: position, normal, and radiance in the end
 
-  // Of the groups that are being connected: densities per m^2 by shift, then the inverse of their sum for each x2; and
-  // what each x1 gathers, but for those sums.
+  // Of the groups that are being connected. Row s of densities_ has for each x1 the density per m^2 of the x2 that is s
+  // places further in the group; the last row has for each x2 one over the sum of all x1's densities. gathered_ is what
+  // each x1 gathers from each x2, before it is divided by that sum.
   GroupRows<F> densities_;
   std::vector<Spectrum<F>> gathered_;
 
-  // Paths of the last batch that wait to be taken.
+  // The last batch, and a bit for each of its paths that the packet has yet to take.
   std::uint32_t waiting_ = 0;
   PathState<F> path_;
   Uint pixel_{0u}, sample_{0u};
@@ -124,12 +127,12 @@ SharedPaths<F>::SharedPaths(const WideScene& scene, const PathPlan& plan, const 
       densities_(group_ + 1, together(), group_),
       gathered_(together() / static_cast<std::size_t>(width) * group_),
       results_(count_) {
-  // The densities of x2 are those of directions alone.
+  // The densities of x2 are those of directions alone: they leave out the chance of ending at x1.
   plan_.rouletteStart = std::max(plan_.rouletteStart, 1u);
   batches_.reserve(count_ / static_cast<std::uint32_t>(width));
 }
 
-/// The next camera rays, up to where their paths leave x2.
+/// Traces the next paths, one in each lane, up to where they leave x2.
 template <class F>
 void SharedPaths<F>::begin() {
   const std::uint32_t number = begun_;
@@ -153,22 +156,22 @@ void SharedPaths<F>::begin() {
   path_ = PathState<F>(camera.ray);
   Spectrum<F> radiance;
 
-  const Vertex vertex = lanes_.arrive(path_, sampler, Uint(0u), Mask(true), radiance);
-  lanes_.recordFirst(vertex, vertex.hit,
-                     [&](int i) -> PixelSample& { return results_[place[static_cast<std::size_t>(i)]]; });
+  const Vertex vertex = lanes_.nextVertex(path_, sampler, Uint(0u), Mask(true), radiance);
+  lanes_.recordFirstHit(vertex, vertex.hit,
+                        [&](int i) -> PixelSample& { return results_[place[static_cast<std::size_t>(i)]]; });
   Mask going = plan_.maxDepth > 0 ? vertex.hit : Mask(false);
-  radiance = select(going, radiance + lanes_.directLight(vertex, sampler, Uint(0u), going), radiance);
-  const auto first = lanes_.leave(vertex, sampler, Uint(0u), going, path_);
+  radiance = select(going, radiance + lanes_.sampleDirectLight(vertex, sampler, Uint(0u), going), radiance);
+  const auto first = lanes_.scatter(vertex, sampler, Uint(0u), going, path_);
   const Spectrum<F> throughput = path_.throughput;
 
-  const Vertex second = lanes_.arrive(path_, sampler, Uint(1u), first.going, radiance);
+  const Vertex second = lanes_.nextVertex(path_, sampler, Uint(1u), first.going, radiance);
   going = plan_.maxDepth > 1 ? second.hit : Mask(false);
-  const Spectrum<F> direct = lanes_.directLight(second, sampler, Uint(1u), going);
+  const Spectrum<F> direct = lanes_.sampleDirectLight(second, sampler, Uint(1u), going);
   path_.throughput = grey(F(1.0f));
-  path_.refraction = path_.refraction * maxChannel(throughput);  // roulette knows what the light is worth at the camera
-  const Mask goOn = lanes_.leave(second, sampler, Uint(1u), going, path_).going;
+  path_.refraction = path_.refraction * maxChannel(throughput);  // so that roulette counts what is before x2
+  const Mask goOn = lanes_.scatter(second, sampler, Uint(1u), going, path_).going;
 
-  // A surface with another shading normal would send radiance elsewhere than to wo by another frame.
+  // With a shading normal that differs, the radiance sent depends on the direction (usableShadingNormal).
   const Vec3<F> shading = second.frame.shadingNormal(), normal = second.surface.geometricNormal;
   const Mask shared = going & (first.pdf != F(kDirac)) & (second.material.model == Uint(kLambert)) &
                       (shading.x == normal.x) & (shading.y == normal.y) & (shading.z == normal.z);
@@ -199,7 +202,7 @@ std::span<const PixelSample> SharedPaths<F>::finish() {
   return results_;
 }
 
-/// Connects the paths of as many entries as are dealt with at once.
+/// Connects the paths first, ..., first + together() - 1.
 template <class F>
 void SharedPaths<F>::connect(std::size_t first) {
   const std::size_t count = together(), end = first + count, lanes = static_cast<std::size_t>(width);
@@ -242,8 +245,8 @@ void SharedPaths<F>::connect(std::size_t first) {
   }
 }
 
-/// What each x1 of these entries gathers from the x2 that is `shift` places further in its group, but for the sum of
-/// densities; and the density per m^2 with which it could have come there.
+/// What the x1 of each path of the batch gathers from the x2 that is `shift` places further in its group, before it is
+/// divided by the sum of densities; and the density per m^2 with which this x1 might have sampled that x2.
 template <class F>
 BsdfValue<F> SharedPaths<F>::connection(const Batch& batch, std::size_t first, std::size_t shift) {
   const ScatterPoint<F>& from = batch.vertex.point;
@@ -258,7 +261,7 @@ BsdfValue<F> SharedPaths<F>::connection(const Batch& batch, std::size_t first, s
   if (!any(sees)) return {};
   const BsdfValue<F> f = lanes_.evaluate(batch.vertex, wi, sees);
   sees = sees & ((f.pdf > F(0.0f)) | !isBlack(f.value));
-  if (shift > 0 && any(sees)) {  // its own x2 it does see
+  if (shift > 0 && any(sees)) {  // nothing is between x1 and the x2 of its own path
     const Vec3<F> start = offsetOrigin(from.position, from.positionError, from.geometricNormal, wi);
     const Vec3<F> way = end - start;
     const F distance = length(way);

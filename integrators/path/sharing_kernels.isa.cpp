@@ -4,8 +4,8 @@
 namespace steradian {
 namespace {
 
-/// Samples per pixel that one packet takes in a row: enough that lanes seldom idle at the end, few enough for the
-/// cache.
+/// Samples per pixel that one packet traces: so many that lanes are seldom idle at the end, so few that they stay in
+/// the cache.
 constexpr std::uint32_t kSamplesInARow = 4;
 
 template <class F>

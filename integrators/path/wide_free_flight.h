@@ -1,6 +1,7 @@
 #pragma once
-/// The flights of several paths at once: segments are traced, and media computed, with all lanes. Surfaces that may not
-/// be real, and the bodies that rays are inside of, are dealt with lane by lane; few segments end at such.
+/// Free flight of several paths at once. Segments are traced, and media computed, with all lanes at once. Surfaces that
+/// may not be real to a ray, and the closed shapes that rays are inside of, are dealt with lane by lane: few segments
+/// end at such surfaces.
 #include <array>
 #include <bit>
 
@@ -24,37 +25,39 @@ class WideFreeFlight {
 
   explicit WideFreeFlight(const WideScene& scene) : scene_(scene), volumes_(scene.scene().volumes()) {}
 
-  /// The scene has volumes: there is something to do at all.
+  /// Whether the scene has volumes. If not, rays go straight from surface to surface.
   bool needed() const { return !volumes_.empty(); }
-  /// A path begins in lane i.
+  /// Lane i begins a path at the camera.
   void start(int i, const Ray<float>& cameraRay) {
     interior_[at(i)] = scene_.scene().interiorAtStart(cameraRay);
     setLane(inside_, i, volumes_.mediumIn(interior_[at(i)]));
   }
 
-  /// As `fly` in path_loop.h, for the active lanes; throughput and radiance are brought up to date.
-  [[gnu::noinline]] SurfacePoint<F> fly(Ray<F> ray, Mask active, const Vec2<F>& random, Spectrum<F>& throughput,
-                                        Spectrum<F>& radiance);
-  // Of the last flight:
-  Mask inMedium() const { return inMedium_; }            ///< lanes that a medium scatters ...
-  const Medium<F>& medium() const { return medium_; }    ///< ... which is this one ...
-  const Vec3<F>& position() const { return position_; }  ///< ... here, ...
-  F distance() const { return distance_; }               ///< ... this far from the ray's origin
-  F outsideEta() const { return outsideEta_; }           ///< see Boundary: of the surface met
-  const InteriorStack& interior(int i) const { return interior_[at(i)]; }
+  /// As traceThroughMedia() in path_loop.h, for the active lanes. `radiance` grows by what media emit, `throughput` is
+  /// weakened by them.
+  [[gnu::noinline]] SurfacePoint<F> traceThroughMedia(Ray<F> ray, Mask active, const Vec2<F>& random,
+                                                      Spectrum<F>& throughput, Spectrum<F>& radiance);
+  // After that, of the lanes' last flights:
+  Mask inMedium() const { return inMedium_; }            ///< a medium scatters the path
+  const Medium<F>& medium() const { return medium_; }    ///< that medium
+  const Vec3<F>& position() const { return position_; }  ///< where it does so
+  F distance() const { return distance_; }               ///< of that position from the ray's origin
+  F outsideEta() const { return outsideEta_; }           ///< of the surface met otherwise: see Boundary
+  const InteriorStack& interior(int i) const { return interior_[at(i)]; }  ///< what the ray of lane i is inside of
 
-  /// The lanes' paths leave these surfaces along wi, or are scattered in a medium.
+  /// The paths of the lanes go on along wi from these surfaces, or from where a medium scatters them.
   [[gnu::noinline]] void scatter(const SurfacePoint<F>& surface, const Vec3<F>& wo, const Vec3<F>& wi, Mask going);
-  /// The share of light that arrives through shadow rays which leave where the last flights ended.
-  [[gnu::noinline]] Spectrum<F> transmittance(const SurfacePoint<F>& surface, const Vec3<F>& wo, Ray<F> ray, Mask lit);
+  /// As in path_loop.h, for shadow rays from where the last flights ended.
+  [[gnu::noinline]] Spectrum<F> shadowTransmittance(const SurfacePoint<F>& surface, const Vec3<F>& wo, Ray<F> ray,
+                                                    Mask lit);
 
  private:
-  /// What a ray in each lane is inside of, and what became of it at surfaces.
+  /// For each lane: what a ray is inside of, and what becomes of it at surfaces.
   using InteriorStacks = std::array<InteriorStack, static_cast<std::size_t>(width)>;
   using AllCrossings = std::array<Crossings, static_cast<std::size_t>(width)>;
 
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
-  /// Lanes that leave a closed surface to its other side.
+  /// Lanes whose paths go through a closed surface.
   Mask changesInterior(const SurfacePoint<F>& surface, const Vec3<F>& wo, const Vec3<F>& wi, Mask lanes) const {
     const Vec3<F>& n = surface.geometricNormal;
     return lanes & surface.valid & (dot(wi, n) * dot(wo, n) < F(0.0f)) & isMoreThanWall(surface, lanes);
@@ -76,14 +79,14 @@ class WideFreeFlight {
 };
 
 template <class F>
-SurfacePoint<F> WideFreeFlight<F>::fly(Ray<F> ray, Mask active, const Vec2<F>& random, Spectrum<F>& throughput,
-                                       Spectrum<F>& radiance) {
+SurfacePoint<F> WideFreeFlight<F>::traceThroughMedia(Ray<F> ray, Mask active, const Vec2<F>& random,
+                                                     Spectrum<F>& throughput, Spectrum<F>& radiance) {
   FreeFlight<F> flight(throughput, random);
   inMedium_ = Mask(false);
   outsideEta_ = F(1.0f);
-  Mask crossed(false), lost(false);  // lanes
-  // What segments of these lanes met, in this medium. Returns those that go on.
-  const auto arrive = [&](const SurfacePoint<F>& met, const Medium<F>& medium, Mask lanes) {
+  Mask crossed(false), lost(false);
+  // Ends segments of these lanes at the surfaces met, in this medium; returns the lanes whose rays go on behind them.
+  const auto endSegments = [&](const SurfacePoint<F>& met, const Medium<F>& medium, Mask lanes) {
     const Mask scattered = flight.sampleSegment(medium, ray, select(met.valid, met.distance, F(kInfinity)), lanes);
     inMedium_ = inMedium_ | scattered;
     const Mask here = lanes & met.valid & !scattered;
@@ -106,12 +109,12 @@ SurfacePoint<F> WideFreeFlight<F>::fly(Ray<F> ray, Mask active, const Vec2<F>& r
   };
   SurfacePoint<F> arrivals = scene_.intersect(ray, active);
   medium_ = volumes_.media().template at<F>(inside_);
-  for (Mask left = arrive(arrivals, medium_, active); any(left);) {
+  for (Mask left = endSegments(arrivals, medium_, active); any(left);) {
     const SurfacePoint<F> met = scene_.intersect(ray, left);
     const Medium<F> medium = volumes_.media().template at<F>(inside_);
     forEachLane(left, [&](int i) { setLane(arrivals, i, lane(met, i)); });
     medium_ = select(left, medium, medium_);
-    left = arrive(met, medium, left);
+    left = endSegments(met, medium, left);
   }
   distance_ = flight.distance();
   position_ = ray.at(distance_);
@@ -130,9 +133,10 @@ void WideFreeFlight<F>::scatter(const SurfacePoint<F>& surface, const Vec3<F>& w
 }
 
 template <class F>
-Spectrum<F> WideFreeFlight<F>::transmittance(const SurfacePoint<F>& surface, const Vec3<F>& wo, Ray<F> ray, Mask lit) {
+Spectrum<F> WideFreeFlight<F>::shadowTransmittance(const SurfacePoint<F>& surface, const Vec3<F>& wo, Ray<F> ray,
+                                                   Mask lit) {
   if (!volumes_.passable()) lit = lit & !scene_.occluded(ray, lit);
-  InteriorStacks interior;  // of lanes where they are others than at the start
+  InteriorStacks interior;  // of the lanes in `own`, whose rays are no longer inside of what they started in
   Mask own = changesInterior(surface, wo, ray.direction, lit);
   UintOf<F> inside = inside_;
   forEachLane(own, [&](int i) {

@@ -1,25 +1,28 @@
 #pragma once
-/// The path integrator at full width.
-#include "steradian/integrators/path/path.h"
+/// The path integrator at widths above 1.
+#include "steradian/integrators/path/path_context.h"
 #include "steradian/integrators/path/path_kernels.h"
 #include "steradian/integrators/path/wide_scene.h"
+#include "steradian/integrators/render/integrator.h"
 
 namespace steradian {
 
-/// Traces several paths of one scene at once (path_packet.h says how): the same pictures as PathTracer, to the bit.
-class WidePathTracer final : public Integrator {
+/// Traces several paths of one scene at once (path_packet.h says how): the same pictures as at width 1, to the
+/// bit.
+class WidePathTracer final : public PreparedIntegrator {
  public:
-  /// The scene must outlive this. `width` is 4, 8 or 16 paths. Throws as PathIntegrator::prepare.
-  WidePathTracer(const Scene& scene, const PathSettings& settings, std::uint32_t width);
+  /// The scene must outlive this. The execution settings must be usable, and their width must not be 1. Throws as
+  /// PathContext.
+  WidePathTracer(const Scene& scene, const PathSettings& settings, const ExecutionSettings& execution);
 
-  /// job.scene must be that of the constructor.
   void renderPass(const RenderJob& job, PassRange pass, Film& film) const override;
+  std::uint32_t correlatedPixels() const override { return context_.plan().reuse; }
 
  private:
-  PathTracer reference_;
+  PathContext context_;
   WideScene wide_;
   RenderPathTile renderTile_;
-  int tileUnit_;
+  int tileUnit_;  ///< edges of tiles are multiples of this many pixels
 };
 
 }  // namespace steradian

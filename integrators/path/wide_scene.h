@@ -1,5 +1,5 @@
 #pragma once
-/// What the wide path integrator asks of a scene, for several rays at once.
+/// The questions that path tracing asks a scene, for several rays at once.
 #include <array>
 #include <bit>
 #include <cstdint>
@@ -35,14 +35,14 @@ class WideScene {
   const Scene& scene() const { return *scene_; }
   const MaterialTable& materials() const { return materials_; }
 
-  /// The nearest points that the active rays hit; others, and those of rays that hit nothing, are not valid. What
-  /// Embree does is added to `counts`, if there are any.
+  /// The nearest points that the active rays hit; not valid in other lanes, and for rays that hit nothing. What Embree
+  /// does is added to `counts`, if there are any.
   template <class F>
   SurfacePoint<F> intersect(const Ray<F>& ray, MaskOf<F> active, EmbreeCounts* counts = nullptr) const;
   /// Which of the active rays hit anything.
   template <class F>
   MaskOf<F> occluded(const Ray<F>& ray, MaskOf<F> active, EmbreeCounts* counts = nullptr) const;
-  /// Which of the active rays find light where they end.
+  /// Which of the active rays end at an emitter: `point` on a shape that emits, or the sky if it is not valid.
   template <class F>
   MaskOf<F> findsLight(const SurfacePoint<F>& point, MaskOf<F> active) const {
     const UintOf<F> shape = select(point.valid, point.shape, UintOf<F>(static_cast<std::uint32_t>(emits_.size() - 1)));
@@ -59,16 +59,16 @@ class WideScene {
   const Scene* scene_;
   const FlatPrimitives* flat_;
   MaterialTable materials_;
-  std::span<const PointRecord> records_;  ///< those that are kept
-  PointKinds keptKinds_ = 0;              ///< of them
+  std::span<const PointRecord> records_;  ///< those that are kept: see Geometry::keptRecords()
+  PointKinds keptKinds_ = 0;              ///< the kinds of those records
   bool recordsByPlace_;                   ///< see Geometry::recordsByPlace
   bool besideFlat_;                       ///< Embree has something to traverse besides what is flat
-  std::vector<std::uint32_t> emits_;      ///< per shape
+  std::vector<std::uint32_t> emits_;      ///< per shape; 0 for none, which comes last
   bool hasSky_;
 };
 
 namespace detail {
-/// Rays of lanes, to be asked for one by one.
+/// The rays of all lanes in memory, where they can be read one by one.
 template <class F>
 class SingleRays {
  public:

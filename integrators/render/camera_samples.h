@@ -7,7 +7,8 @@
 
 namespace steradian {
 
-/// Samples first, ..., first + perPixel - 1 of the pixels of one tile, pixel by pixel: gives lanes their camera rays.
+/// The samples pass.first, ..., pass.end - 1 of all pixels of a tile, pixel by pixel, with their camera rays. Rays are
+/// computed for as many samples at once as there are lanes, and handed out one by one.
 template <class F>
 class CameraSamples {
  public:
@@ -40,7 +41,7 @@ class CameraSamples {
   }
 
  private:
-  /// Camera rays of the next samples, one per lane. (Those beyond the last are never taken.)
+  /// Computes the camera rays of the next samples, one per lane. (Rays beyond the last sample are never taken.)
   void prepare() {
     F x, y;
     for (int i = 0; i < width; ++i) {
@@ -64,7 +65,7 @@ class CameraSamples {
   const RenderJob& job_;
   Crop tile_;
   std::uint32_t first_, perPixel_, count_, next_ = 0;
-  // The first sample that prepare() has not dealt with.
+  // The first sample whose camera ray is not yet computed.
   int column_, row_;
   std::uint32_t pixelKey_, inPixel_ = 0;
   WeightedRay<F> rays_;

@@ -8,7 +8,7 @@ namespace steradian {
 namespace {
 
 /// Adds the pass's samples of one tile to the film.
-void renderTile(const RadianceIntegrator& integrator, const RenderJob& job, PassRange pass, const Crop& tile,
+void renderTile(const PreparedSampleIntegrator& integrator, const RenderJob& job, PassRange pass, const Crop& tile,
                 Film& film, PathCounts& counts) {
   std::vector<PixelSample> samples(pass.count());
   for (int y = tile.y0; y < tile.y1; ++y) {
@@ -18,7 +18,7 @@ void renderTile(const RadianceIntegrator& integrator, const RenderJob& job, Pass
         const Sampler<float> sampler(job.samplerSettings, pixel, pass.first + i);
         const WeightedRay<float> camera = job.cameraRay(static_cast<float>(x), static_cast<float>(y), sampler);
         PixelSample& sample = samples[i];
-        sample = integrator.evaluate(job.scene, camera.ray, sampler, counts);
+        sample = integrator.evaluate(camera.ray, sampler, counts);
         sample.radiance *= camera.weight;
         sample.alpha *= camera.weight;
       }
@@ -27,19 +27,39 @@ void renderTile(const RadianceIntegrator& integrator, const RenderJob& job, Pass
   }
 }
 
+/// Camera samples by a function that estimates radiance: the camera ray is traced once more for what it hits first.
+class PreparedRadiance final : public PreparedSampleIntegrator {
+ public:
+  PreparedRadiance(const Scene& scene, detail::RadianceFunction radiance)
+      : scene_(scene), radiance_(std::move(radiance)) {}
+  PixelSample evaluate(const Ray<float>& ray, const Sampler<float>& sampler, PathCounts& counts) const override {
+    PixelSample sample = traceFirstHit(scene_, ray);
+    sample.radiance = radiance_(ray, sampler);
+    counts.countPath(0);
+    return sample;
+  }
+
+ private:
+  const Scene& scene_;
+  const detail::RadianceFunction radiance_;
+};
+
 }  // namespace
 
-void RadianceIntegrator::renderPass(const RenderJob& job, PassRange pass, Film& film) const {
+void PreparedSampleIntegrator::renderPass(const RenderJob& job, PassRange pass, Film& film) const {
   renderTiles(job, pass, film.crop(), 1,
               [&](const Crop& tile, PathCounts& counts) { renderTile(*this, job, pass, tile, film, counts); });
 }
 
-PixelSample RadianceIntegrator::evaluate(const Scene& scene, const Ray<float>& ray, const Sampler<float>& sampler,
-                                         PathCounts& counts) const {
-  PixelSample sample = traceFirstHit(scene, ray);
-  sample.radiance = radiance(scene, ray, sampler);
-  counts.countPath(0);
-  return sample;
+std::unique_ptr<const PreparedIntegrator> detail::prepareWith(const Scene& scene, RadianceFunction radiance) {
+  return std::make_unique<PreparedRadiance>(scene, std::move(radiance));
+}
+
+std::unique_ptr<const PreparedIntegrator> RadianceIntegrator::prepare(const Scene& scene,
+                                                                      const ExecutionSettings&) const {
+  return detail::prepareWith(scene, [this, &scene](const Ray<float>& ray, const Sampler<float>& sampler) {
+    return radiance(scene, ray, sampler);
+  });
 }
 
 PixelSample traceFirstHit(const Scene& scene, const Ray<float>& ray) {

@@ -40,6 +40,7 @@ RenderSettings completed(RenderSettings settings, const RenderDefaults& defaults
 /// `settings` is `given` with what the scene decides.
 void check(const RenderSettings& given, const RenderSettings& settings) {
   Diagnostics wrong;
+  check(given.execution, wrong);
   if (settings.samplesPerPixel == 0u) wrong.error({}, "samples per pixel must be at least 1");
   if (*settings.samplesPerPixel > std::numeric_limits<std::uint32_t>::max() - given.firstSample) {
     wrong.error({}, fmt::format("sample indices end at {}", std::numeric_limits<std::uint32_t>::max()));
@@ -77,19 +78,15 @@ RenderResult render(const Scene& scene, const Integrator& integrator, const Rend
   const RenderSettings settings = completed(given, scene.description().defaults);
   check(given, settings);
   const std::uint32_t samplesPerPixel = *settings.samplesPerPixel;
-  const FilmSettings filmSettings{.width = *settings.width,
-                                  .height = *settings.height,
-                                  .crop = settings.crop,
-                                  .replicates = settings.replicates,
-                                  .isa = scene.geometry().isa()};
-  RenderResult result{Film(filmSettings), settings, {}, false};
+  const FilmSettings filmSettings{
+      .width = *settings.width, .height = *settings.height, .crop = settings.crop, .replicates = settings.replicates};
+  RenderResult result{Film(filmSettings, settings.execution.isa), settings, {}, false};
   Film& film = result.film;
   RenderStatistics& statistics = result.statistics;
   const Camera camera(scene.description().camera, *settings.width, *settings.height);
-  const std::unique_ptr<const Integrator> prepared = integrator.prepare(scene);
-  const Integrator& active = prepared ? *prepared : integrator;
+  const std::unique_ptr<const PreparedIntegrator> prepared = integrator.prepare(scene, settings.execution);
   statistics.prepareSeconds = secondsSince(start);
-  statistics.correlatedPixels = integrator.correlatedPixels();
+  statistics.correlatedPixels = prepared->correlatedPixels();
 
   const Crop& crop = film.crop();
   const auto pixels = static_cast<std::uint64_t>(crop.x1 - crop.x0) * static_cast<std::uint64_t>(crop.y1 - crop.y0);
@@ -103,8 +100,7 @@ RenderResult render(const Scene& scene, const Integrator& integrator, const Rend
     fraction = std::min(1.0, std::max({fraction, static_cast<double>(samples) / total, ofTime}));
     progress({fraction, seconds, samples, done});
   });
-  const RenderJob job{scene,
-                      camera,
+  const RenderJob job{camera,
                       settings.filter,
                       {settings.sampler, settings.seed, samplesPerPixel, settings.replicates},
                       settings.tileSize,
@@ -116,7 +112,7 @@ RenderResult render(const Scene& scene, const Integrator& integrator, const Rend
     if (count == 0) break;
     const PassRange pass{settings.firstSample + done, settings.firstSample + done + count};
     const std::uint64_t before = monitor.samples();
-    active.renderPass(job, pass, film);
+    prepared->renderPass(job, pass, film);
     const std::uint64_t added = monitor.samples() - before;
     const bool complete = added == pixels * count;
     if (added > 0) film.ledger().add({settings.seed, pass.first, pass.end, complete});

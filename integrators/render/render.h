@@ -25,8 +25,9 @@ struct RenderResult {
 /// that are being rendered are finished, so that a pixel has all samples of a pass or none, and the film's ledger marks
 /// the pass as incomplete. Several renders may run at once, of one scene and with one integrator too.
 ///
-/// Throws Error: Usage for settings that make no sense (sizes, crop, counts, an integrator's unknown target; the
-/// stratified sampler under a time limit without a sample count); Memory. What `progress` throws ends the render.
+/// Throws Error: Usage for settings that make no sense (sizes, crop, counts, an integrator's unknown target; execution
+/// settings that this machine cannot run; the stratified sampler under a time limit without a sample count); Memory.
+/// What `progress` throws ends the render.
 RenderResult render(const Scene& scene, const Integrator& integrator, const RenderSettings& settings = {},
                     std::stop_token stop = {}, const ProgressCallback& progress = {});
 

@@ -1,5 +1,5 @@
 #pragma once
-/// What the passes of one render have in common.
+/// What all passes of one render share.
 #include <atomic>
 #include <cstdint>
 #include <functional>
@@ -16,8 +16,6 @@
 
 namespace steradian {
 
-class Scene;
-
 struct RenderProgress {
   double fraction = 0.0;              ///< done, 0..1: of the samples, or of the time limit if that is nearer its end
   double seconds = 0.0;               ///< since render() was called
@@ -28,10 +26,11 @@ struct RenderProgress {
 /// short: the others wait.
 using ProgressCallback = std::function<void(const RenderProgress&)>;
 
-/// Collects what tiles did, passes it on, and carries the wish to stop to them. Shared by all threads of a render.
+/// Adds up what tiles have rendered, reports progress, and tells tiles whether to stop. Shared by all threads of a
+/// render.
 class RenderMonitor {
  public:
-  /// Turns counts into progress; called with the lock held.
+  /// Makes progress of the number of samples in the film; called with the lock held.
   using Report = std::function<void(std::uint64_t samples)>;
 
   RenderMonitor(std::stop_token stop, Report report) : stop_(std::move(stop)), report_(std::move(report)) {}
@@ -40,7 +39,7 @@ class RenderMonitor {
   /// `samples` more samples are in the film.
   void finishedTile(std::uint64_t samples, const PathCounts& counts);
 
-  // The following must not run while a pass does.
+  // Not to be called while a pass runs.
   std::uint64_t samples() const { return samples_; }
   const PathCounts& counts() const { return counts_; }
 
@@ -66,20 +65,20 @@ struct WeightedRay {
 };
 
 struct RenderJob {
-  const Scene& scene;
   const Camera& camera;
   const Filter& filter;
   SamplerSettings samplerSettings;
   int tileSize;
   RenderMonitor& monitor;
-  bool dependsOnTime = true;  ///< else all rays are at time 0, and no number is drawn for it
+  bool dependsOnTime = true;  ///< false: all rays are at time 0, and no random number is drawn for it
 
-  /// What the sampler knows pixel (x, y) by: its place in the full picture. Squares of 65536 pixels differ at random.
+  /// The number by which samplers know pixel (x, y) of the full picture: its place along the Z curve. (The curve takes
+  /// 16 bits of each coordinate; higher bits are mixed in.)
   static std::uint32_t pixelKey(int x, int y) {
     const auto column = static_cast<std::uint32_t>(x), row = static_cast<std::uint32_t>(y);
     return mortonOf(column, row) ^ mixBits((row & 0xffff0000u) | (column >> 16));
   }
-  /// x and y are whole numbers.
+  /// A camera ray through pixel (x, y), both whole numbers.
   template <class F>
   WeightedRay<F> cameraRay(F x, F y, const Sampler<F>& sampler) const {
     const UintOf<F> start(0u);

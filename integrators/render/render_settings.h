@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "steradian/core/base/execution_settings.h"
 #include "steradian/core/film/film.h"
 #include "steradian/core/film/filter.h"
 #include "steradian/core/samplers/sampler.h"
@@ -28,6 +29,8 @@ struct RenderSettings {
   std::uint32_t replicates = 1;
   /// Edge of a tile in pixels: a matter of speed only.
   int tileSize = 16;
+  /// Instruction set of integrator and film, and paths traced at once: a matter of speed only.
+  ExecutionSettings execution = {};
 };
 
 }  // namespace steradian

@@ -43,7 +43,7 @@ struct RenderStatistics {
   std::uint64_t samples = 0;           ///< evaluated, those dropped included
   std::uint64_t nonFiniteSamples = 0;  ///< dropped: their radiance was not a number or infinite
   std::uint32_t passes = 0;
-  std::uint32_t correlatedPixels = 1;  ///< see Integrator
+  std::uint32_t correlatedPixels = 1;  ///< see PreparedIntegrator
   PathCounts paths;
 };
 

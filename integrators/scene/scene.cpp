@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "steradian/accel/shapes/primitives/shape_at.h"
+#include "steradian/core/scene/placements.h"
 #include "steradian/integrators/scene/scene_hash.h"
 #include "steradian/integrators/volumes/crossings.h"
 
@@ -17,9 +18,8 @@ std::shared_ptr<const SceneDescription> validated(SceneDescription description) 
 
 /// Whether a closed shape may move.
 bool interiorsMove(const SceneDescription& scene) {
-  const bool instances = std::any_of(scene.instances.begin(), scene.instances.end(),
-                                     [](const InstanceSet& set) { return !set.closing.empty(); });
-  return instances || std::any_of(scene.shapes.begin(), scene.shapes.end(), [](const ShapeDescription& shape) {
+  return Placements(scene).anyInstanceMoves() ||
+         std::any_of(scene.shapes.begin(), scene.shapes.end(), [](const ShapeDescription& shape) {
            if (!shape.interior) return false;
            const auto* spheres = std::get_if<SphereSet>(&shape.geometry);
            return shape.motion || std::holds_alternative<CustomShapeSet>(shape.geometry) ||

@@ -13,12 +13,12 @@
 namespace steradian {
 
 struct SceneSettings {
-  GeometrySettings geometry;
-  LightSetSettings lights;  ///< of Scene::lights()
+  GeometrySettings geometry;  ///< `isa`: the instruction set of queries; that of renders: RenderSettings::execution
+  LightSetSettings lights;    ///< of Scene::lights()
 };
 
-/// Built from a description; immutable, so that any number of renders may share it. It stays where it is: integrators
-/// refer to it.
+/// Built from a description; immutable, so that any number of renders may share it. It cannot be moved, because
+/// prepared integrators refer to it.
 class Scene {
  public:
   /// Builds with the threads of the caller's tbb::task_arena. Throws Error: Scene with everything that is wrong with
@@ -32,21 +32,22 @@ class Scene {
   const MaterialSet& materials() const { return materials_; }
   const LightSet& lights() const { return lights_; }
   const Volumes& volumes() const { return volumes_; }
-  /// The closed shapes that a camera ray starts in. (Those that the camera is in; a lens is taken to be in them with
-  /// its whole area.)
+  /// The closed shapes that a camera ray starts in: those that the camera is in. (If a lens lies in a shape only in
+  /// part, its centre decides.)
   InteriorStack interiorAtStart(const Ray<float>& cameraRay) const {
     return cameraMoves_ ? interiorAt(cameraRay.origin, cameraRay.time) : cameraInterior_;
   }
-  /// The closed shapes that a point is inside of, by what a ray from there to infinity leaves without having entered
-  /// it; those that it leaves first were entered last.
+  /// The closed shapes that a point is inside of: those that a ray from there to infinity leaves without having entered
+  /// them. The shape that it leaves first counts as entered last.
   InteriorStack interiorAt(Vec3f position, float time) const;
 
   struct FirstSurface {
     SurfacePoint<float> point;  ///< its distance is that from the origin of the ray asked for
     float outsideEta = 1.0f;    ///< see Boundary
-    InteriorStack interior;     ///< that the ray is inside of where it arrives
+    InteriorStack interior;     ///< the closed shapes that the ray is inside of when it arrives there
   };
-  /// The first surface that is one to a ray that starts inside of `interior`; media are left aside.
+  /// The first surface that stops a ray which starts inside of the shapes `interior` (see Boundary::isReal). Media do
+  /// not count.
   FirstSurface firstSurface(Ray<float> ray, const InteriorStack& interior) const;
   /// See scene_hash.h.
   std::uint64_t hash() const { return hash_; }

@@ -24,23 +24,23 @@ class FreeFlight {
   /// `random`: numbers in [0, 1).
   FreeFlight(const Spectrum<F>& throughput, const Vec2<F>& random);
 
-  /// One segment of the active paths, `ray` through `medium`, whose end is `distance` from the ray's origin (may be
-  /// +inf). Returns those that the medium scatters before: where, ray.at(distance()) says.
+  /// One segment of the active paths: `ray` through `medium`, up to `distance` from the ray's origin (may be +inf).
+  /// Returns the paths that the medium scatters before that, at ray.at(distance()).
   Mask sampleSegment(const Medium<F>& medium, const Ray<F>& ray, F distance, Mask active);
 
-  const Spectrum<F>& weight() const { return weight_; }    ///< of where the last segment ended
-  const Spectrum<F>& emitted() const { return emitted_; }  ///< radiance that the media so far send to the start
-  F distance() const { return distance_; }                 ///< m; from the ray's origin to where the last segment ended
+  const Spectrum<F>& weight() const { return weight_; }  ///< throughput of the flight up to the end of the last segment
+  const Spectrum<F>& emitted() const { return emitted_; }  ///< radiance that the media so far emit towards the start
+  F distance() const { return distance_; }                 ///< m; from the ray's origin to the end of the last segment
 
  private:
   static F sum(const Spectrum<F>& c) { return c.r + c.g + c.b; }
   static F inverse(F density) { return select(density > F(0.0f), F(1.0f) / density, F(0.0f)); }
 
   Spectrum<F> choice_;                  ///< probability of each channel
-  Mask isRed_, isGreen_;                ///< the one that it fell on
+  Mask isRed_, isGreen_;                ///< the channel chosen; neither: blue
   F depthLeft_{kInfinity};              ///< optical depth in that channel
-  Spectrum<F> left_ = grey(F(1.0f));    ///< transmittance of media that scatter, so far
-  Spectrum<F> passed_ = grey(F(1.0f));  ///< of those that only absorb
+  Spectrum<F> left_ = grey(F(1.0f));    ///< transmittance so far, of media that scatter
+  Spectrum<F> passed_ = grey(F(1.0f));  ///< transmittance so far, of media that only absorb
   Spectrum<F> weight_ = grey(F(1.0f)), emitted_;
   F distance_{0.0f};
 };
@@ -71,7 +71,7 @@ MaskOf<F> FreeFlight<F>::sampleSegment(const Medium<F>& medium, const Ray<F>& ra
   const Spectrum<F> share = medium.transmittance(select(scattered, way, length));
   left_ = select(scatters, left_ * share, left_);
   passed_ = select(active & !scatters, passed_ * share, passed_);
-  // Over the density that a flight of any channel has to be scattered here, or to get here.
+  // Divide by the density with which a flight in any of the channels is scattered here, or gets here.
   const Spectrum<F> density = select(scattered, extinction * left_, left_);
   const Spectrum<F> value = select(scattered, medium.scattering * left_, left_);
   weight_ = select(active, passed_ * value * inverse(sum(choice_ * density)), weight_);

@@ -36,8 +36,8 @@ class InteriorStack {
   void enter(const Entry& entry);
   void leave(const Entry& entry);
   bool contains(const Entry& entry) const { return find(entry) < count_; }
-  /// The shape that fills the space: of the highest priority the one entered last; null outside of all. `other` is
-  /// left out.
+  /// The shape that fills the space: the one entered last of those with the highest priority; null outside of all
+  /// shapes. `other` does not count.
   const Entry* top(const Entry* other = nullptr) const;
   bool empty() const { return count_ == 0; }
 

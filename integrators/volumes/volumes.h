@@ -11,8 +11,8 @@ namespace steradian {
 
 /// What a surface is to a ray that reaches it.
 struct Boundary {
-  bool isReal = true;       ///< false: the ray passes as if there were nothing
-  float outsideEta = 1.0f;  ///< refractive index that a dielectric's own is relative to
+  bool isReal = true;       ///< false: the ray goes through as if the surface were not there
+  float outsideEta = 1.0f;  ///< refractive index on the outer side of a dielectric, which its own is relative to
 };
 
 class Volumes {
@@ -20,19 +20,20 @@ class Volumes {
   /// The description must be valid.
   explicit Volumes(const SceneDescription& scene);
 
-  /// Rays go through vacuum from surface to surface, and every surface is real.
+  /// Whether there is nothing to do: rays go through vacuum from surface to surface, and every surface is real.
   bool empty() const { return !needed_; }
-  /// Some surfaces are not real for some rays.
+  /// Whether some surfaces are not real to some rays.
   bool passable() const { return passable_; }
 
   const MediumSet& media() const { return media_; }
   /// The number of the medium that a ray inside of `interior` is in; media().none(): in vacuum.
   std::uint32_t mediumIn(const InteriorStack& interior) const;
-  /// The surface at `at`, which a ray of this direction meets from inside of `interior`.
+  /// What the surface at `at` is to a ray of this direction that comes to it inside of the shapes `interior`.
   Boundary boundary(const SurfacePoint<float>& at, Vec3f direction, const InteriorStack& interior) const;
-  /// The ray goes through the surface.
+  /// Brings `interior` up to date for a ray that goes through the surface.
   void cross(const SurfacePoint<float>& at, Vec3f direction, InteriorStack& interior) const;
-  /// A path that came along -wo leaves the surface along wi: through it, or back.
+  /// Brings `interior` up to date for a path that came along -wo and leaves the surface along wi: on its other side, or
+  /// on the same.
   void scatter(const SurfacePoint<float>& at, Vec3f wo, Vec3f wi, InteriorStack& interior) const {
     if (dot(wi, at.geometricNormal) * dot(wo, at.geometricNormal) < 0.0f) cross(at, wi, interior);
   }
@@ -40,9 +41,9 @@ class Volumes {
   bool isSameInterior(const SurfacePoint<float>& a, const SurfacePoint<float>& b) const {
     return entryOf(a).isSame(entryOf(b));
   }
-  /// Shapes that have an interior.
+  /// Whether a shape has an interior.
   bool isClosed(Id shape) const { return shape < closed_.size() && closed_[shape].isClosed; }
-  /// Shapes that are more than a wall to a ray: those with an interior, and those that may not be real to it.
+  /// Whether shapes are more than a wall to a ray: those that have an interior, and those that may not be real to it.
   template <class F>
   MaskOf<F> isMoreThanWall(UintOf<F> shape) const {
     return gather(moreThanWall_.data(), shape) != UintOf<F>(0u);
@@ -62,7 +63,7 @@ class Volumes {
   MediumSet media_;
   Id outside_;
   std::vector<Closed> closed_;               ///< per shape
-  std::vector<std::uint32_t> moreThanWall_;  ///< per shape, and of none
+  std::vector<std::uint32_t> moreThanWall_;  ///< per shape; 0 for none, which comes last
   std::vector<Material> materials_;          ///< per material
   bool needed_ = false, passable_ = false;
 };

@@ -29,7 +29,7 @@ Image renderScene(SceneDescription description, const char* integrator, std::uin
   settings.samplesPerPixel = samplesPerPixel;
   settings.replicates = 8;
   settings.seed = 20240607;
-  return render(scene, *makeIntegrator(integrator), settings).film.image();
+  return render(scene, *makeIntegrator(integrator).integrator, settings).film.image();
 }
 
 void setReflectance(SceneDescription& scene, const std::string& material, float reflectance) {

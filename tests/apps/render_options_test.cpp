@@ -140,12 +140,12 @@ TEST(RenderOptions, Values) {
 }
 
 TEST(RenderOptions, InstructionSets) {
-  EXPECT_EQ(parse({}).isa, bestIsa());
-  EXPECT_EQ(parse({"--isa", "baseline"}).isa, Isa::Baseline);
+  EXPECT_EQ(parse({}).settings.execution.isa, bestIsa());
+  EXPECT_EQ(parse({"--isa", "baseline"}).settings.execution.isa, Isa::Baseline);
   EXPECT_TRUE(contains(complaint({"--isa", "axv2"}), R"(unknown instruction set "axv2" (did you mean "avx2"?))"));
   for (const Isa isa : {Isa::Avx2, Isa::Avx512}) {
     if (isUsable(isa)) {
-      EXPECT_EQ(parse({"--isa", std::string(nameOf(isa))}).isa, isa);
+      EXPECT_EQ(parse({"--isa", std::string(nameOf(isa))}).settings.execution.isa, isa);
     } else {
       EXPECT_TRUE(contains(complaint({"--isa", std::string(nameOf(isa))}), "has no " + std::string(nameOf(isa))));
     }

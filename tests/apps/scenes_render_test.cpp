@@ -20,7 +20,7 @@ namespace {
 
 Image renderScene(const char* name, const std::string& integrator, const RenderSettings& settings) {
   const Scene scene(makeScene(name));
-  return render(scene, *makeIntegrator(integrator), settings).film.image();
+  return render(scene, *makeIntegrator(integrator).integrator, settings).film.image();
 }
 
 class EveryScene : public testing::TestWithParam<const char*> {};
@@ -53,7 +53,7 @@ TEST(NextWeekFinal, IsTheSameWithAndWithoutInstances) {
   const RenderSettings settings{.width = 96, .height = 96, .samplesPerPixel = 16};
   const auto picture = [&](bool instanced) {
     const Scene scene(scenes::nextWeekFinal(instanced));
-    return render(scene, *makeIntegrator("path"), settings).film.image();
+    return render(scene, *makeIntegrator("path").integrator, settings).film.image();
   };
   // Rounding sends a few paths elsewhere.
   EXPECT_LT(relMSE(picture(false), picture(true)), 1e-3);

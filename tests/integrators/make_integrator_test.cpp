@@ -9,8 +9,8 @@ namespace steradian {
 namespace {
 
 PathSettings pathSettings(std::string_view spec) {
-  const std::unique_ptr<Integrator> integrator = makeIntegrator(spec);
-  const auto* path = dynamic_cast<const PathIntegrator*>(integrator.get());
+  const IntegratorChoice choice = makeIntegrator(spec);
+  const auto* path = dynamic_cast<const PathIntegrator*>(choice.integrator.get());
   if (path == nullptr) throw Error(ErrorKind::Other, "not a path integrator");
   return path->settings();
 }
@@ -47,7 +47,7 @@ TEST(MakeIntegrator, TheRegistryNamesTheDefaults) {
   EXPECT_EQ(named.rouletteStrength, expected.rouletteStrength);
   EXPECT_EQ(named.targetWeight, 0.5f);
   EXPECT_EQ(expected.targetWeight, std::nullopt);
-  EXPECT_EQ(named.width, expected.width);
+  EXPECT_EQ(makeIntegrator(spec).execution.width, ExecutionSettings{}.width);
 }
 
 TEST(MakeIntegrator, ReadsEveryKeyOfPath) {
@@ -66,7 +66,7 @@ TEST(MakeIntegrator, ReadsEveryKeyOfPath) {
 
 TEST(MakeIntegrator, EveryNameOfTheRegistryCanBeMade) {
   for (const IntegratorInfo& info : integratorRegistry()) {
-    EXPECT_NE(makeIntegrator(info.name), nullptr) << info.name;
+    EXPECT_NE(makeIntegrator(info.name).integrator, nullptr) << info.name;
     EXPECT_FALSE(info.help.empty());
   }
 }
@@ -114,6 +114,24 @@ TEST(MakeIntegrator, RefusesNumbersThatMakeNoSense) {
         "normals:distance=1", "path:strategy=mixture:targets=a,,b", "path:=3", ""}) {
     EXPECT_EQ(mistakesIn(bad).size(), 1u) << bad;
   }
+}
+
+TEST(MakeIntegrator, TheWidthOfASpecIsThatOfTheExecution) {
+  EXPECT_EQ(makeIntegrator("path:width=8").execution.width, 8u);
+  EXPECT_EQ(makeIntegrator("path:width=0", {.width = 4}).execution.width, 0u);
+  for (const char* spec : {"path", "normals"}) {
+    const ExecutionSettings kept = makeIntegrator(spec, {.isa = Isa::Baseline, .width = 4}).execution;
+    EXPECT_EQ(kept.isa, Isa::Baseline);
+    EXPECT_EQ(kept.width, 4u);
+  }
+}
+
+TEST(MakeIntegrator, RefusesExecutionThatIsNotPossible) {
+  EXPECT_EQ(mistakesIn("path:width=5").size(), 1u);
+  EXPECT_EQ(mistakesIn("normals:width=4").size(), 1u);
+  EXPECT_THROW(makeIntegrator("normals", {.width = 5}), Error);
+  EXPECT_THROW(makeIntegrator("path:reuse=2", {.width = 1}), Error);
+  EXPECT_NO_THROW(makeIntegrator("path:reuse=2:width=4", {.width = 1}));
 }
 
 TEST(MakeIntegrator, RefusesTargetsWhereNothingAimsAtThem) {

@@ -69,14 +69,22 @@ SceneDescription openScene() {
   return s;
 }
 
+namespace {
+RenderResult resultOf(const Scene& scene, const std::string& spec, RenderSettings settings) {
+  const auto [integrator, execution] = makeIntegrator(spec, settings.execution);
+  settings.execution = execution;
+  return render(scene, *integrator, settings);
+}
+}  // namespace
+
 Rendered renderWith(const Scene& scene, const std::string& integrator, const RenderSettings& settings) {
-  const RenderResult result = render(scene, *makeIntegrator(integrator), settings);
+  const RenderResult result = resultOf(scene, integrator, settings);
   const Image image = result.film.image();
   return {{image.values().begin(), image.values().end()}, result.statistics.paths};
 }
 
 Image pictureOf(const Scene& scene, const std::string& integrator, const RenderSettings& settings) {
-  return render(scene, *makeIntegrator(integrator), settings).film.image({.features = false});
+  return resultOf(scene, integrator, settings).film.image({.features = false});
 }
 
 void expectEqual(const Rendered& a, const Rendered& b, const std::string& what) {

@@ -25,6 +25,7 @@ struct Rendered {
   std::vector<float> values;
   PathCounts counts;
 };
+/// By an integrator's spec, `width=` included.
 Rendered renderWith(const Scene& scene, const std::string& integrator, const RenderSettings& settings);
 
 Image pictureOf(const Scene& scene, const std::string& integrator, const RenderSettings& settings);

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
 #include <optional>
 
+#include "steradian/tests/lights/environment_maps.h"
 #include "steradian/tests/lights/light_scenes.h"
 
 namespace steradian {
@@ -231,6 +233,43 @@ TEST(LightSet, SettingsSayWhatIsSampled) {
   ScatterPoint<float> free = from;
   free.geometricNormal = {};
   EXPECT_NEAR(both.emission(free, up, sky).pdf, both.info()[1].probability * kInvFourPi, 1e-7f);
+}
+
+TEST(LightSet, SharesItsLightsWithSetsOfOtherSettings) {
+  SceneDescription scene;
+  const Id shape = addEmitter(scene, ceilingSquare(1.0f, 1.0f), kRadiance);
+  scene.lights.push_back({"", PointLight{{0.5f, 0.5f, 0}, {8.0f, 4.0f, 2.0f}}, {}});
+  scene.lights.push_back({"", ConstantSky{grey(2.0f)}, {}});
+  scene.lights.push_back({"", ImageSky{.image = sunAt(8, 4, 3, 1, 100.0f)}, {}});
+  SurfacePoint<float> onLight, sky;
+  onLight.valid = true;
+  onLight.geometricNormal = {0, -1, 0};
+  onLight.shape = shape, onLight.primitive = 0;
+  const ScatterPoint<float> from = pointAt({0, 0, 0});
+  const Ray<float> up{{0, 0, 0}, {0, 1, 0}};
+  for (const bool areas : {false, true}) {
+    for (const bool skies : {false, true}) {
+      for (const bool pictures : {false, true}) {
+        const LightSetSettings settings{areas, skies, pictures};
+        const auto other = std::make_unique<LightSet>(scene, kBounds, LightSetSettings{!areas, !skies, !pictures});
+        const LightSet shared(*other, settings), alone(scene, kBounds, settings);
+        EXPECT_EQ(&shared.areas(), &other->areas());
+        EXPECT_EQ(shared.size(), 3u);
+        EXPECT_EQ(shared.emission(from, up, onLight).pdf, alone.emission(from, up, onLight).pdf);
+        EXPECT_EQ(shared.emission(from, up, sky).pdf, alone.emission(from, up, sky).pdf);
+        EXPECT_EQ(shared.emission(from, up, sky).radiance.r, alone.emission(from, up, sky).radiance.r);
+        for (std::uint32_t i = 0; i < 64; ++i) {
+          EXPECT_EQ(shared.sample(from, lightRandom(i)).pdf, alone.sample(from, lightRandom(i)).pdf);
+        }
+        ASSERT_EQ(shared.info().size(), alone.info().size());
+        for (std::size_t i = 0; i < alone.info().size(); ++i) {
+          EXPECT_EQ(shared.info()[i].count, alone.info()[i].count);
+          EXPECT_EQ(shared.info()[i].power.r, alone.info()[i].power.r);
+          EXPECT_EQ(shared.info()[i].probability, alone.info()[i].probability);
+        }
+      }
+    }
+  }
 }
 
 TEST(LightSet, AnEmptySceneIsDark) {

@@ -53,15 +53,15 @@ TEST(TargetSet, FlaggedShapesReplaceTheLights) {
 
 TEST(TargetSet, LightsAreLeftOutIfTheyAreSampledOtherwise) {
   SceneDescription scene = sampleScene();
-  constexpr auto butLights = TargetSet::Unnamed::FlaggedButLights;
-  EXPECT_TRUE(TargetSet(scene, {}, butLights).empty());
+  constexpr auto nonEmitters = TargetSet::Unnamed::FlaggedNonEmitters;
+  EXPECT_TRUE(TargetSet(scene, {}, nonEmitters).empty());
   for (ShapeDescription& shape : scene.shapes) shape.target = shape.emission != kNone;
-  EXPECT_TRUE(TargetSet(scene, {}, butLights).empty());
+  EXPECT_TRUE(TargetSet(scene, {}, nonEmitters).empty());
   scene.shapes[1].target = true;
-  EXPECT_EQ(TargetSet(scene, {}, butLights).size(), 1u);
+  EXPECT_EQ(TargetSet(scene, {}, nonEmitters).size(), 1u);
   EXPECT_GT(TargetSet(scene).size(), 1u);
   const std::vector<std::string> names{"lights"};
-  EXPECT_EQ(TargetSet(scene, names, butLights).size(), 2u) << "who names them has them";
+  EXPECT_EQ(TargetSet(scene, names, nonEmitters).size(), 2u) << "who names them has them";
 }
 
 TEST(TargetSet, EveryLaneIsThatOfWidthOne) {

@@ -46,7 +46,9 @@ TEST(Bsdf, IsTheModelInAnotherFrame) {
 }
 
 TEST(Bsdf, LightSamplesSufficeForBoundedContinuousLobes) {
-  const auto samples = [](const Bsdf::Model& model) { return Bsdf(model, kNormal, kNormal).samplesLights(kNormal); };
+  const auto samples = [](const Bsdf::Model& model) {
+    return Bsdf(model, kNormal, kNormal).suitsLightSampling(kNormal);
+  };
   EXPECT_TRUE(samples(Lambert<float>{kColour}));
   EXPECT_TRUE(samples(UniformDiffuse<float>{kColour}));
   EXPECT_TRUE(samples(coated<float>(kColour, 1.5f)));

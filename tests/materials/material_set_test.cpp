@@ -37,7 +37,7 @@ TEST(MaterialSet, MakesTheModelsOfTheDescription) {
   EXPECT_EQ(bsdf(mirror).diracProbability(kWo), 1.0f);
   EXPECT_EQ(bsdf(mirror).albedo(kWo).r, 0.6f);
   EXPECT_EQ(bsdf(metal).diracProbability(kWo), 0.0f);
-  EXPECT_FALSE(bsdf(metal).samplesLights(kWo));
+  EXPECT_FALSE(bsdf(metal).suitsLightSampling(kWo));
   EXPECT_EQ(bsdf(glass).albedo(kWo).g, 1.0f);
   const float coat = bsdf(wood).diracProbability(kWo);
   EXPECT_GT(coat, 0.0f);

@@ -63,7 +63,8 @@ TEST(MaterialTable, LanesAgreeWithBsdf) {
       setLane(random.lobe, i, r.lobe);
       setLane(random.direction, i, r.direction);
     }
-    const auto parameters = table.parameters(points, Mask<8>(true));
+    auto parameters = table.parameters(points, Mask<8>(true));
+    for (int i = 0; i < 8; ++i) setLane(parameters.outsideEta, i, i % 3 == 0 ? 1.33f : 1.0f);
     const ShadingFrame<F> frame(points.geometricNormal,
                                 usableShadingNormal(points.geometricNormal, points.shadingNormal, wo));
     BsdfSample<F> sample;
@@ -83,14 +84,14 @@ TEST(MaterialTable, LanesAgreeWithBsdf) {
       value.pdf = select(mine, v.pdf, value.pdf);
       albedo = select(mine, model.albedo(localWo), albedo);
       dirac = select(mine, model.diracProbability(localWo), dirac);
-      sampled = select(mine, Mask<8>(samplesLights(model, localWo)), sampled);
+      sampled = select(mine, Mask<8>(suitsLightSampling(model, localWo)), sampled);
       EXPECT_FALSE(any(seen & mine));
       seen |= mine;
     });
     EXPECT_TRUE(all(seen));
     for (int i = 0; i < 8; ++i) {
       const Vec3f out = lane(wo, i);
-      const Bsdf bsdf = materials.bsdf(lane(points, i), out);
+      const Bsdf bsdf = materials.bsdf(lane(points, i), out, lane(parameters.outsideEta, i));
       const BsdfSample<float> s =
           bsdf.sample(out, {lane(random.lobe, i), lane(random.direction, i)}, Transport::Radiance);
       const BsdfValue<float> v = bsdf.eval(out, lane(wi, i), Transport::Radiance);
@@ -104,7 +105,7 @@ TEST(MaterialTable, LanesAgreeWithBsdf) {
       EXPECT_TRUE(sameBits(v.pdf, value.pdf[i]));
       EXPECT_TRUE(sameBits(bsdf.albedo(out).b, albedo.b[i]));
       EXPECT_TRUE(sameBits(bsdf.diracProbability(out), dirac[i]));
-      EXPECT_EQ(bsdf.samplesLights(out), sampled[i]);
+      EXPECT_EQ(bsdf.suitsLightSampling(out), sampled[i]);
     }
   }
 }

@@ -40,7 +40,7 @@ void forEachModel(Visitor&& visit) {
   for (const float eta : {1.5f, 0.75f, 1.0f}) {
     const std::string index = std::to_string(eta);
     visit("dielectric of index " + index, Dielectric<F>{eta}, Dielectric<L>{L(eta)});
-    visit("dielectric by Schlick of index " + index, Dielectric<F>{eta, true}, Dielectric<L>{L(eta), true});
+    visit("dielectric by Schlick of index " + index, SchlickDielectric<F>{eta}, SchlickDielectric<L>{L(eta)});
     visit("coat of index " + index, coated<F>(kColour, eta), coated<L>(kColour, eta));
   }
   visit("coat over white", coated<F>(grey(1.0f), 1.5f), coated<L>(grey(1.0f), 1.5f));

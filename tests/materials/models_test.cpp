@@ -166,12 +166,12 @@ TEST(Models, DielectricIsReciprocal) {
     const Dielectric<float> glass{eta};
     for (const double degrees : {0.0, 20.0, 40.0, 48.0, 170.0, 150.0}) {
       const Vec3f wo = fromNormal(degrees);
-      if (glass.reflectedShare(wo) == 1.0f) continue;
+      if (glass.reflectionProbability(wo) == 1.0f) continue;
       const auto there = glass.sample(wo, {kOneMinusEpsilon, {0.5f, 0.5f}}, Transport::Radiance);
       const auto back = glass.sample(there.wi, {kOneMinusEpsilon, {0.5f, 0.5f}}, Transport::Radiance);
       ASSERT_EQ(there.lobe, kLobeTransmission | kLobeDirac);
       EXPECT_NEAR(length(back.wi - wo), 0.0f, 1e-6f);
-      EXPECT_NEAR(glass.reflectedShare(wo), glass.reflectedShare(there.wi), 1e-6f);
+      EXPECT_NEAR(glass.reflectionProbability(wo), glass.reflectionProbability(there.wi), 1e-6f);
       EXPECT_NEAR(there.weight.r * back.weight.r, 1.0f, 1e-6f);
       EXPECT_NEAR(there.eta * back.eta, 1.0f, 1e-6f);
       EXPECT_FLOAT_EQ(there.weight.r, 1.0f / (there.eta * there.eta));
@@ -195,7 +195,7 @@ TEST(Models, DielectricReflectsWithFresnelsProbability) {
   // The critical angle of glass is 41.81 degrees, from within.
   EXPECT_FALSE(reflects(fromNormal(180.0 - 41.7), kOneMinusEpsilon));
   EXPECT_TRUE(reflects(fromNormal(180.0 - 41.9), kOneMinusEpsilon));
-  EXPECT_TRUE((Dielectric<float>{1.5f, true}
+  EXPECT_TRUE((SchlickDielectric<float>{1.5f}
                    .sample(fromNormal(180.0 - 41.9), {kOneMinusEpsilon, {0.5f, 0.5f}}, Transport::Radiance)
                    .lobe &
                kLobeReflection) != 0u);

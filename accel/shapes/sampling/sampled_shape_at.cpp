@@ -28,17 +28,14 @@ SampledShape sampledShapeOf(const ShapeGeometry& geometry, std::size_t primitive
   return std::visit([&](const auto& set) { return shapeOf(set, primitive); }, geometry);
 }
 
-SampledShape sampledShapeOf(const ShapeDescription& shape, std::size_t primitive, const InstanceSet* instances,
-                            std::size_t copy) {
+SampledShape sampledShapeOf(const ShapeDescription& shape, std::size_t primitive,
+                            const std::optional<InstancePlacement>& instance) {
   SampledShape placed = sampledShapeOf(shape.geometry, primitive);
   const auto move = [&](const Motion& motion) {
     placed = motion.open == motion.close ? transformed(placed, motion.open) : inMotion(placed, MovingTransform(motion));
   };
   if (shape.motion) move(*shape.motion);
-  if (instances) {
-    const Matrix& open = instances->transforms[copy];
-    move({open, instances->closing.empty() ? open : instances->closing[copy]});
-  }
+  if (instance) move(instance->motion().value_or(Motion{instance->localToWorld(), instance->localToWorld()}));
   return placed;
 }
 

@@ -22,9 +22,10 @@ const Scene& redSphere() {
 
 /// What the integrator finds from z = 4 towards (x, y, 0).
 PixelSample look(const RadianceIntegrator& integrator, float x, float y) {
+  const Ray<float> ray{{0, 0, 4}, normalize(Vec3f{x, y, -4.0f})};
+  const auto prepared = integrator.prepare(redSphere(), {});
   PathCounts counts;
-  const Sampler<float> sampler({}, 0, 0);
-  return integrator.evaluate(redSphere(), {{0, 0, 4}, normalize(Vec3f{x, y, -4.0f})}, sampler, counts);
+  return dynamic_cast<const PreparedSampleIntegrator&>(*prepared).evaluate(ray, Sampler<float>({}, 0, 0), counts);
 }
 
 TEST(NormalIntegrator, ShowsTheNormalAndTheSky) {

@@ -50,7 +50,7 @@ TEST(PathLoop, ScatteredDirectionsHaveTheirDensity) {
       for (std::uint32_t i = 0; i < 100; ++i) {
         const auto w = randomWords<std::uint32_t>(i, 1u, 2u, 3u);
         const BsdfRandom<float> random{kOneMinusEpsilon, {toUnitFloat<float>(w[0]), toUnitFloat<float>(w[1])}};
-        const BsdfSample<float> s = scatter(vertex, random);
+        const BsdfSample<float> s = sampleScatterPdf(vertex, random);
         if (s.pdf == 0.0f) continue;
         const BsdfValue<float> f = bsdf.eval(vertex.wo, s.wi, Transport::Radiance);
         EXPECT_FLOAT_EQ(s.pdf, scatterDensity(vertex, s.wi, f.pdf));
@@ -112,14 +112,14 @@ TEST_F(PathLoopWithPlan, WeightsOfLightSamplesAndOfHitsAddUpToOne) {
         PathPlan mis = plan(kind, count);
         mis.targets = &targets;
         mis.targetWeight = targetWeight;
-        const Rgb found = directLight(mis, queries, vertex, sampler_, 0u);
+        const Rgb found = sampleDirectLight(mis, queries, vertex, sampler_, 0u);
         const float aimed = targetWeight * (1.0f - vertex.diracProbability) * kInvFourPi;
         const float scattering = aimed + (1.0f - targetWeight) * scatterDensity(vertex, wi_, f.pdf);
         const float hit =
             misWeight(competingDensity(Strategy::Mis, true, scattering), static_cast<float>(count) * queries.light.pdf);
         EXPECT_NEAR(found.g / (2.0f * f.value.g) + hit, 1.0f, 1e-6f) << count;
         queries.shadow = true;
-        EXPECT_TRUE(isBlack(directLight(mis, queries, vertex, sampler_, 0u)));
+        EXPECT_TRUE(isBlack(sampleDirectLight(mis, queries, vertex, sampler_, 0u)));
       }
     }
   }
@@ -129,7 +129,7 @@ TEST_F(PathLoopWithPlan, EverySampleHasNumbersOfItsOwn) {
   const std::vector<Bsdf> all = bsdfs();
   OneLight queries{{grey(2.0f), wi_, 1.0f, 0.1f}};
   for (std::uint32_t bounce = 0; bounce < 5; ++bounce) {
-    directLight(plan(ScatterPdf::Bsdf, 7), queries, vertexOn(all[0]), sampler_, bounce);
+    sampleDirectLight(plan(ScatterPdf::Bsdf, 7), queries, vertexOn(all[0]), sampler_, bounce);
   }
   std::set<float> places;
   for (const LightRandom<float>& random : queries.seen) places.insert(random.position.x);
@@ -160,7 +160,7 @@ TEST_F(PathLoopWithPlan, MixturesHaveTheDensityTheyTell) {
       for (std::uint32_t i = 0; i < count; ++i) {
         const Sampler<float> sampler({}, 3u, i);
         const BsdfRandom<float> random{sampler.get1D(0u, Purpose::BsdfLobe), sampler.get2D(0u, Purpose::BsdfDirection)};
-        const BsdfSample<float> s = scatterMixture(mixture, queries, vertex, random, sampler, 0u);
+        const BsdfSample<float> s = sampleMixture(mixture, queries, vertex, random, sampler, 0u);
         if (s.pdf > 0.0f && s.pdf != kDirac) sum += 1.0 / static_cast<double>(s.pdf);
       }
       EXPECT_NEAR(sum / count, 6.283185307, 0.06) << static_cast<int>(kind);
@@ -174,14 +174,6 @@ TEST(PathLoop, SurvivalIsAsProbableAsThePathIsBright) {
   EXPECT_FLOAT_EQ(survivalProbability(0.5f, grey(0.25f), 1.0f), 0.625f);
   EXPECT_FLOAT_EQ(survivalProbability(0.0f, grey(0.25f), 1.0f), 1.0f);
   EXPECT_FLOAT_EQ(survivalProbability(1.0f, grey(7.0f), 1.0f), 1.0f);
-}
-
-TEST(PathLoop, StrategiesDifferByTheCompetingDensity) {
-  EXPECT_EQ(competingDensity(Strategy::Mis, true, 0.3f), 0.3f);
-  EXPECT_EQ(competingDensity(Strategy::Mis, true, kDirac), kDirac);
-  EXPECT_EQ(competingDensity(Strategy::Light, true, 0.3f), 0.0f);
-  EXPECT_EQ(competingDensity(Strategy::Light, true, kDirac), kDirac);
-  EXPECT_EQ(competingDensity(Strategy::Light, false, 0.3f), kDirac);
 }
 
 }  // namespace

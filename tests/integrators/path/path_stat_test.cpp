@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "steradian/integrators/path/path_context.h"
+#include "steradian/integrators/path/path_loop.h"
 #include "steradian/tests/integrators/small_scenes.h"
 #include "steradian/tests/integrators/strategies.h"
 
@@ -222,25 +224,27 @@ struct WrongTargetPdf : SceneQueries {
 };
 
 template <class Queries>
-class WrongPath final : public RadianceIntegrator {
+class WrongPath final : public RadianceIntegratorWith<PathContext> {
  public:
-  WrongPath(const Scene& scene, const PathSettings& settings) : tracer_(scene, settings) {}
-  Rgb radiance(const Scene& scene, const Ray<float>& ray, const Sampler<float>& sampler) const override {
+  explicit WrongPath(const PathSettings& settings) : settings_(settings) {}
+  PathContext prepareRadiance(const Scene& scene) const override { return PathContext(scene, settings_); }
+  Rgb radiance(const Scene& scene, const PathContext& context, const Ray<float>& ray,
+               const Sampler<float>& sampler) const override {
     PathCounts counts;
     Queries queries(scene, counts);
-    return tracePath(tracer_.plan(), queries, ray, sampler).radiance;
+    return tracePath(context.plan(), queries, ray, sampler).radiance;
   }
 
  private:
-  PathTracer tracer_;
+  PathSettings settings_;
 };
 
 TEST(TestOfTheTest, ADensityTwoPercentTooHighIsRejected) {
   const Scene scene(test::room());
   const Estimate expected = meanOf(scene, PathIntegrator(with(Strategy::Mis)), 24, 400, 100);
-  const auto light = WrongPath<WrongLightPdf>(scene, with(Strategy::Light));
-  const auto mis = WrongPath<WrongLightPdf>(scene, with(Strategy::Mis));
-  const auto mixture = WrongPath<WrongTargetPdf>(scene, with(Strategy::Mixture));
+  const auto light = WrongPath<WrongLightPdf>(with(Strategy::Light));
+  const auto mis = WrongPath<WrongLightPdf>(with(Strategy::Mis));
+  const auto mixture = WrongPath<WrongTargetPdf>(with(Strategy::Mixture));
   EXPECT_FALSE(agree(meanOf(scene, light, 24, 400), expected));
   EXPECT_FALSE(agree(meanOf(scene, mis, 24, 400), expected));
   EXPECT_FALSE(agree(meanOf(scene, mixture, 24, 400), expected));

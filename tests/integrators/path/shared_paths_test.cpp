@@ -49,6 +49,7 @@ TEST(SharedPaths, AreTheSameForEveryInstructionSetCropTileAndThread) {
     const Scene other(colouredRoom(), {.geometry = {.isa = isa}, .lights = {}});
     tbb::task_arena one(1);
     settings.tileSize = 5;
+    settings.execution.isa = isa;
     settings.crop = Crop{3, 35, 14, 33};
     const Image part = one.execute([&] { return pictureOf(other, "path:reuse=16", settings); });
     for (int y = 14; y < 33; ++y) {

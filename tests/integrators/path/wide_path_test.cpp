@@ -8,7 +8,7 @@
 #include <string>
 
 #include "steradian/apps/scenes/scenes.h"
-#include "steradian/integrators/make_integrator.h"
+#include "steradian/integrators/path/path.h"
 #include "steradian/integrators/render/render.h"
 #include "steradian/tests/integrators/moving_scenes.h"
 #include "steradian/tests/integrators/small_scenes.h"
@@ -182,8 +182,11 @@ TEST(WidePath, IsTheSameForEveryInstructionSet) {
   };
   for (const int which : {0, 1, 2, 3, 4, 5, 6}) {
     const auto rendered = [&](Isa isa, const char* width) {
-      const SceneSettings settings{.geometry = {.accel = {.maxClustersWithoutTree = which == 0 ? 64u : 4u}, .isa = isa}, .lights = {}};
-      return renderWith(Scene(scene(which), settings), std::string("path:width=") + width, settingsOf(13, 11, 4));
+      const SceneSettings settings{.geometry = {.accel = {.maxClustersWithoutTree = which == 0 ? 64u : 4u}, .isa = isa},
+                                   .lights = {}};
+      RenderSettings renderSettings = settingsOf(13, 11, 4);
+      renderSettings.execution.isa = isa;
+      return renderWith(Scene(scene(which), settings), std::string("path:width=") + width, renderSettings);
     };
     const Rendered baseline = rendered(Isa::Baseline, "1");
     for (const Isa isa : compiledIsas()) {
@@ -197,12 +200,15 @@ TEST(WidePath, IsTheSameForEveryInstructionSet) {
 }
 
 TEST(WidePath, TheInstructionSetMustBeUsable) {
+  const Scene empty{SceneDescription{}};
   for (const Isa isa : {Isa::Baseline, Isa::Avx2, Isa::Avx512}) {
     const SceneSettings settings{.geometry = {.isa = isa}, .lights = {}};
     if (isUsable(isa)) {
       EXPECT_NO_THROW(Scene({}, settings));
+      EXPECT_NO_THROW(PathIntegrator().prepare(empty, {.isa = isa}));
     } else {
       EXPECT_THROW(Scene({}, settings), Error);
+      EXPECT_THROW(PathIntegrator().prepare(empty, {.isa = isa}), Error);
     }
   }
 }

@@ -120,6 +120,11 @@ TEST(Render, RefusesWhatMakesNoSense) {
   EXPECT_EQ(kindOf([](auto& s) { s.width = 5, s.height = 1 << 30; }), ErrorKind::Usage);
   EXPECT_EQ(kindOf([](auto& s) { s.samplesPerPixel = 0; }), ErrorKind::Usage);
   EXPECT_EQ(kindOf([](auto& s) { s.tileSize = 0; }), ErrorKind::Usage);
+  EXPECT_EQ(kindOf([](auto& s) { s.execution.width = 5; }), ErrorKind::Usage);
+  for (const Isa isa : {Isa::Baseline, Isa::Avx2, Isa::Avx512}) {
+    const ErrorKind expected = isUsable(isa) ? ErrorKind::Other : ErrorKind::Usage;
+    EXPECT_EQ(kindOf([&](auto& s) { s.execution.isa = isa; }), expected) << nameOf(isa);
+  }
   EXPECT_EQ(kindOf([&](auto& s) { s.timeLimit = nan; }), ErrorKind::Usage);
   EXPECT_EQ(kindOf([](auto& s) { s.timeLimit = -1.0; }), ErrorKind::Usage);
   EXPECT_EQ(kindOf([](auto& s) { s.replicates = 0; }), ErrorKind::Usage);
@@ -239,7 +244,6 @@ TEST(Render, SeveralRendersAtOnceInArenasOfTheirOwn) {
 /// One sample in eight of the left half is not a number or infinite.
 class Faulty final : public RadianceIntegrator {
  public:
-  using RadianceIntegrator::evaluate;
   Rgb radiance(const Scene&, const Ray<float>& ray, const Sampler<float>& sampler) const override {
     if (ray.direction.x > 0.0f || sampler.sample() % 8 != 3) return grey(0.5f);
     return sampler.pixel() % 2 == 0 ? grey(std::numeric_limits<float>::quiet_NaN()) : Rgb{1.0f, kInfinity, 1.0f};

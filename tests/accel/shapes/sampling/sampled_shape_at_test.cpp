@@ -43,6 +43,7 @@ TEST(SampledShapeAt, MovesWhatMoves) {
   far.setTranslation(Imath::V3f(100.0f, 0.0f, 0.0f));
   farther.setTranslation(Imath::V3f(300.0f, 0.0f, 0.0f));
   const InstanceSet still{0, {far, far}}, moving{0, {far, far}, {far, farther}};
+  const auto in = [](const InstanceSet& set, std::size_t copy) { return InstancePlacement{&set, copy, 0}; };
   const auto expectCenter = [](const SampledShape& sphere, float time, Vec3f center) {
     for (const Vec2f u : {Vec2f{0.1f, 0.7f}, Vec2f{0.8f, 0.2f}}) {
       const PositionSample<float> p = sphere.samplePosition(u, time);
@@ -52,13 +53,13 @@ TEST(SampledShapeAt, MovesWhatMoves) {
   };
   expectCenter(sampledShapeOf(shape, 0), 0.5f, {0.0f, 0.0f, 0.0f});
   expectCenter(sampledShapeOf(shape, 1), 0.5f, {0.0f, 2.0f, 0.0f});
-  expectCenter(sampledShapeOf(shape, 0, &still, 1), 0.5f, {100.0f, 0.0f, 0.0f});
-  expectCenter(sampledShapeOf(shape, 1, &still, 1), 0.5f, {100.0f, 2.0f, 0.0f});
-  expectCenter(sampledShapeOf(shape, 0, &moving, 0), 0.5f, {100.0f, 0.0f, 0.0f});
-  expectCenter(sampledShapeOf(shape, 0, &moving, 1), 0.5f, {200.0f, 0.0f, 0.0f});
+  expectCenter(sampledShapeOf(shape, 0, in(still, 1)), 0.5f, {100.0f, 0.0f, 0.0f});
+  expectCenter(sampledShapeOf(shape, 1, in(still, 1)), 0.5f, {100.0f, 2.0f, 0.0f});
+  expectCenter(sampledShapeOf(shape, 0, in(moving, 0)), 0.5f, {100.0f, 0.0f, 0.0f});
+  expectCenter(sampledShapeOf(shape, 0, in(moving, 1)), 0.5f, {200.0f, 0.0f, 0.0f});
   shape.motion = Motion{Matrix(), moved};
   expectCenter(sampledShapeOf(shape, 0), 0.25f, {0.0f, 0.0f, 2.5f});
-  expectCenter(sampledShapeOf(shape, 1, &moving, 1), 0.25f, {150.0f, 1.0f, 2.5f});
+  expectCenter(sampledShapeOf(shape, 1, in(moving, 1)), 0.25f, {150.0f, 1.0f, 2.5f});
 }
 
 }  // namespace
