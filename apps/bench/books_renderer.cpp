@@ -1,10 +1,8 @@
 #include "steradian/apps/bench/books_renderer.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <cmath>
 
+#include "steradian/core/base/parallel.h"
 #include "steradian/core/statistics/running_mean.h"
 
 namespace steradian::bench::books {
@@ -82,12 +80,7 @@ Image render(const World& world, PictureSize size, std::uint32_t samplesPerPixel
       pixel[3] = static_cast<float>(luminances.standardError());
     }
   };
-  tbb::parallel_for(
-      tbb::blocked_range<int>(0, size.height, 1),
-      [&](const tbb::blocked_range<int>& rows) {
-        for (int y = rows.begin(); y != rows.end(); ++y) renderRow(y);
-      },
-      tbb::simple_partitioner());
+  parallelForEach(static_cast<std::size_t>(size.height), [&](std::size_t y) { renderRow(static_cast<int>(y)); });
   return image;
 }
 

@@ -1,14 +1,12 @@
 #include "steradian/apps/bench/replay.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <atomic>
 #include <bit>
 
 #include "steradian/accel/shapes/clusters/flat_primitives.h"
 #include "steradian/core/base/float_mode.h"
+#include "steradian/core/base/parallel.h"
 
 namespace steradian::bench {
 namespace {
@@ -71,17 +69,12 @@ std::uint64_t replay(const Geometry& geometry, std::span<const RecordedRay> rays
   const FlatPrimitives* flat = several ? geometry.flat() : nullptr;
   std::atomic<std::uint64_t> hits{0};
   const std::size_t runs = (rays.size() + kRun - 1) / kRun;
-  tbb::parallel_for(
-      tbb::blocked_range<std::size_t>(0, runs, 1),
-      [&](const tbb::blocked_range<std::size_t>& range) {
-        const FlushDenormals floatMode;
-        for (std::size_t i = range.begin(); i != range.end(); ++i) {
-          const std::size_t begin = i * kRun;
-          const auto run = rays.subspan(begin, std::min(kRun, rays.size() - begin));
-          hits += flat != nullptr ? countHits(*flat, run) : countHits(geometry, run);
-        }
-      },
-      tbb::simple_partitioner());
+  parallelForEach(runs, [&](std::size_t i) {
+    const FlushDenormals floatMode;
+    const std::size_t begin = i * kRun;
+    const auto run = rays.subspan(begin, std::min(kRun, rays.size() - begin));
+    hits += flat != nullptr ? countHits(*flat, run) : countHits(geometry, run);
+  });
   return hits;
 }
 

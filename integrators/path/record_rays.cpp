@@ -1,7 +1,6 @@
 #include "steradian/integrators/path/record_rays.h"
 
-#include <tbb/task_arena.h>
-
+#include "steradian/core/base/parallel.h"
 #include "steradian/integrators/path/path.h"
 #include "steradian/integrators/render/render.h"
 
@@ -53,8 +52,7 @@ class RecordingIntegrator final : public RadianceIntegrator {
 
 std::vector<RecordedRay> recordRays(const Scene& scene, const PathSettings& path, const RenderSettings& settings) {
   std::vector<RecordedRay> rays;
-  tbb::task_arena alone(1);
-  alone.execute([&] { render(scene, RecordingIntegrator(scene, PathIntegrator(path).settings(), rays), settings); });
+  onOneThread([&] { render(scene, RecordingIntegrator(scene, PathIntegrator(path).settings(), rays), settings); });
   return rays;
 }
 

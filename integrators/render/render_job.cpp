@@ -1,8 +1,8 @@
 #include "steradian/integrators/render/render_job.h"
 
-#include <tbb/task_arena.h>
-
 #include <algorithm>
+
+#include "steradian/core/base/parallel.h"
 
 namespace steradian {
 
@@ -11,7 +11,7 @@ void RenderMonitor::finishedTile(std::uint64_t samples, const PathCounts& counts
   samples_ += samples;
   counts_ += counts;
   // A callback that waits for TBB must not be given another tile meanwhile: that would wait for this lock.
-  tbb::this_task_arena::isolate([&] { report_(samples_); });
+  isolated([&] { report_(samples_); });
 }
 
 std::vector<Crop> tilesOf(const Crop& crop, int size) {

@@ -1,8 +1,7 @@
 #pragma once
 /// A pass over a film in tiles, on all threads of the caller's arena.
-#include <tbb/parallel_for.h>
-
 #include "steradian/core/base/float_mode.h"
+#include "steradian/core/base/parallel.h"
 #include "steradian/core/film/film.h"
 #include "steradian/integrators/render/render_job.h"
 
@@ -14,21 +13,15 @@ template <class RenderTile>
 void renderTiles(const RenderJob& job, PassRange pass, const Crop& crop, int unit, const RenderTile& renderTile) {
   const int size = std::min(job.tileSize, Image::maxSide);  // rounding up must not overflow
   const std::vector<Crop> tiles = tilesOf(crop, (size + unit - 1) / unit * unit);
-  tbb::parallel_for(
-      tbb::blocked_range<std::size_t>(0, tiles.size(), 1),
-      [&](const tbb::blocked_range<std::size_t>& range) {
-        const FlushDenormals floatMode;
-        for (std::size_t i = range.begin(); i != range.end(); ++i) {
-          if (job.monitor.stopRequested()) return;
-          const Crop& tile = tiles[i];
-          PathCounts counts;
-          renderTile(tile, counts);
-          const auto pixels =
-              static_cast<std::uint64_t>(tile.x1 - tile.x0) * static_cast<std::uint64_t>(tile.y1 - tile.y0);
-          job.monitor.finishedTile(pixels * pass.count(), counts);
-        }
-      },
-      tbb::simple_partitioner());
+  parallelForEach(tiles.size(), [&](std::size_t i) {
+    if (job.monitor.stopRequested()) return;
+    const FlushDenormals floatMode;
+    const Crop& tile = tiles[i];
+    PathCounts counts;
+    renderTile(tile, counts);
+    const auto pixels = static_cast<std::uint64_t>(tile.x1 - tile.x0) * static_cast<std::uint64_t>(tile.y1 - tile.y0);
+    job.monitor.finishedTile(pixels * pass.count(), counts);
+  });
 }
 
 }  // namespace steradian

@@ -165,6 +165,10 @@ class Inspector {
     if (startsWithAny(name,
                       {"immintrin.h", "x86intrin.h", "arm_neon.h", "experimental/simd", "simd", "hwy/", "xsimd/"}))
       simd(name);
+    // Programs and tests make arenas of their own; build_info.cpp asks for the version.
+    if (startsWithAny(name, {"tbb/", "oneapi/"}) && name != "tbb/version.h" && path_ != "core/base/parallel.h" &&
+        !startsWithAny(path_, {"apps/", "tests/"}))
+      violation("only core/base/parallel.h may include " + std::string(name));
     if (isPublicHeader() && startsWithAny(name, {"OpenImageIO/", "OpenColorIO/", "fmt/", "CLI/", "nlohmann/"}))
       violation("a public header may not include " + std::string(name));
   }

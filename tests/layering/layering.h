@@ -22,6 +22,7 @@ struct Findings {
 /// - only accel/embree_* knows Embree, and only sources of accel and its tests know accel/embree_*, which is not
 ///   installed;
 /// - only core/math/lanes* knows SIMD types and intrinsics;
+/// - only core/base/parallel.h knows oneTBB, so that ThreadSanitizer can be given other threads;
 /// - public headers keep private what users need not have: OpenImageIO, OpenColorIO, fmt, Embree;
 /// - headers start with #pragma once, and no file is longer than 450 lines.
 Findings inspect(const std::filesystem::path& root);

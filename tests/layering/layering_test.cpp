@@ -115,6 +115,14 @@ TEST_F(Layering, KeepsEmbreeAndSimdWhereTheyBelong) {
                    "__attribute__((vector_size(16)));"}));
 }
 
+TEST_F(Layering, KeepsOneTbbInOneHeader) {
+  write("core/base/parallel.h", "#pragma once\n#include <tbb/parallel_for.h>\n");
+  write("core/base/build_info.cpp", "#include <tbb/version.h>\n");
+  write("apps/main.cpp", "#include <tbb/task_arena.h>\n");
+  write("lights/loop.cpp", "#include <tbb/parallel_for.h>\n");
+  EXPECT_EQ(violations(), Lines{"lights/loop.cpp:1: only core/base/parallel.h may include tbb/parallel_for.h"});
+}
+
 TEST_F(Layering, KeepsPrivateLibrariesOutOfPublicHeaders) {
   write("core/image/image.cpp", "#include <OpenImageIO/imageio.h>\n");
   write("core/image/image.h", "#pragma once\n#include <OpenImageIO/imageio.h>\n");

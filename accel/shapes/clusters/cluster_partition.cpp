@@ -1,15 +1,12 @@
 #include "steradian/accel/shapes/clusters/cluster_partition.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-#include <tbb/parallel_invoke.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <span>
 
 #include "steradian/accel/shapes/clusters/cluster.h"
+#include "steradian/core/base/parallel.h"
 
 namespace steradian {
 namespace {
@@ -18,8 +15,8 @@ constexpr std::uint32_t kGrain = 4096;
 
 template <class Body>
 void forEachInParallel(std::size_t count, const Body& body) {
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, kGrain), [&](const auto& range) {
-    for (std::size_t i = range.begin(); i != range.end(); ++i) body(i);
+  parallelForRanges(count, kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i != end; ++i) body(i);
   });
 }
 
@@ -139,7 +136,7 @@ void arrange(std::span<ClusterItem> items, int searches = 64) {
   std::nth_element(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(before), items.end(), isBefore);
   const auto left = items.first(before), right = items.subspan(before);
   if (items.size() > kGrain) {
-    tbb::parallel_invoke([&] { arrange(left, searches - 1); }, [&] { arrange(right, searches - 1); });
+    parallelInvoke([&] { arrange(left, searches - 1); }, [&] { arrange(right, searches - 1); });
   } else {
     arrange(left, searches - 1);
     arrange(right, searches - 1);

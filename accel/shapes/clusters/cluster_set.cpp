@@ -1,12 +1,10 @@
 #include "steradian/accel/shapes/clusters/cluster_set.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 
 #include "steradian/accel/shapes/clusters/cluster_partition.h"
 #include "steradian/accel/shapes/primitives/shape_at.h"
+#include "steradian/core/base/parallel.h"
 
 namespace steradian {
 namespace {
@@ -154,8 +152,8 @@ void ClusterSet::add(const SceneDescription& scene, std::span<const Id> shapes) 
   clusters.resize(partition.ranges.size());
   const std::size_t firstCluster = bounds_.size();
   bounds_.resize(firstCluster + clusters.size());
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, clusters.size(), 256), [&](const auto& block) {
-    for (std::size_t c = block.begin(); c != block.end(); ++c) {
+  parallelForRanges(clusters.size(), 256, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t c = begin; c != end; ++c) {
       const ClusterRange range = partition.ranges[c];
       for (std::uint32_t i = 0; i < range.count; ++i) {
         const auto place = all.place(partition.items[range.begin + i].ordinal);
