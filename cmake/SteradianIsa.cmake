@@ -37,7 +37,7 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT STERADIAN_SANITIZE)
   endif()
 endif()
 
-# steradian_isa_objects(LAYER SOURCE): adds SOURCE, which is NAME_kernels.cpp and defines the table nameKernels, once more
+# steradian_isa_objects(LAYER SOURCE): adds SOURCE, NAME_kernels.isa.cpp, which defines the table nameKernels, once more
 # to the library steradian_LAYER for each set.
 function(steradian_isa_objects layer source)
   if(NOT STERADIAN_ISAS)

@@ -6,8 +6,8 @@ include(GNUInstallDirs)
 file(CONFIGURE OUTPUT "${PROJECT_BINARY_DIR}/header_only.cpp" CONTENT "// This room has headers only.\n")
 
 # steradian_layer(NAME GLOBS pattern... [DEPENDS layer...] [LIBRARIES target...])
-# One room as the static library steradian_NAME. LIBRARIES are private: no public header includes them. *_kernels.cpp
-# are compiled once per instruction set.
+# One room as the static library steradian_NAME. LIBRARIES are private: no public header includes them. *_kernels.isa.cpp
+# are compiled once per instruction set, and so is a *_kernels.cpp that has none beside it.
 function(steradian_layer name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "GLOBS;DEPENDS;LIBRARIES")
   list(TRANSFORM arg_DEPENDS PREPEND steradian_)
@@ -23,9 +23,12 @@ function(steradian_layer name)
   target_include_directories(steradian_${name} PUBLIC "${PROJECT_BINARY_DIR}/include")
   target_compile_options(steradian_${name} PUBLIC -ffp-contract=off)
   target_compile_definitions(steradian_${name} PRIVATE STERADIAN_ISA=baseline STERADIAN_DISPATCH=${STERADIAN_DISPATCH})
-  list(FILTER sources INCLUDE REGEX "_kernels\\.cpp$")
+  list(FILTER sources INCLUDE REGEX "_kernels(\\.isa)?\\.cpp$")
   foreach(source IN LISTS sources)
-    steradian_isa_objects(${name} ${source})
+    string(REGEX REPLACE "_kernels\\.cpp$" "_kernels.isa.cpp" kernels ${source})
+    if(source STREQUAL kernels OR NOT EXISTS ${kernels})
+      steradian_isa_objects(${name} ${source})
+    endif()
   endforeach()
 endfunction()
 

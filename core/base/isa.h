@@ -1,9 +1,9 @@
 #pragma once
 /// The instruction sets that hot code is compiled for.
 ///
-/// Code that takes the time of a render is in files named *_kernels.cpp, with the templates that they instantiate. Each
-/// is compiled once per instruction set and offers one table of functions, in the namespace of that set: a constant
-/// such as avx2::leafKernels, which leafKernels(Isa) finds. All other names in such an object are local to it
+/// Code that takes the time of a render is in files named *_kernels.isa.cpp, with the templates that they instantiate.
+/// Each is compiled once per instruction set and offers one table of functions, in the namespace of that set: a constant
+/// such as avx2::filmKernels, which filmKernels(Isa) in film_kernels.cpp finds. All other names in such an object are local to it
 /// (cmake/SteradianIsa.cmake), so that no function compiled for one set can stand in for that of another when a program
 /// is linked. All other code is compiled for the baseline. The bits of a picture are the same with every set.
 ///

@@ -52,14 +52,6 @@ bool allFinite(const PixelSample& s) {
 
 }  // namespace
 
-const FilmKernels& filmKernels(Isa isa) {
-  if constexpr (STERADIAN_DISPATCH) {
-    if (isa == Isa::Avx2) return avx2::filmKernels;
-    if (isa == Isa::Avx512) return avx512::filmKernels;
-  }
-  return baseline::filmKernels;
-}
-
 std::uint64_t Film::bytesPerPixel(std::uint32_t replicates) {
   const std::uint64_t groups = replicates == 1 ? kSubSequences : replicates;
   return sizeof(Sums) + groups * (sizeof(FixedPoint64) + sizeof(std::uint32_t));

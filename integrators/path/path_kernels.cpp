@@ -1,50 +1,26 @@
 #include "steradian/integrators/path/path_kernels.h"
 
-#include "steradian/integrators/path/camera_paths.h"
-
 namespace steradian {
 namespace {
 
-/// Samples that one packet takes in a row: enough that lanes seldom idle at the end, few enough for the cache.
-constexpr std::uint32_t kSamplesInARow = 4096;
-
-/// As many rows of the tile as make about so many samples.
-int rowsAtOnce(const Crop& tile, PassRange pass) {
-  const auto perRow = static_cast<std::uint32_t>(tile.x1 - tile.x0) * pass.count();
-  return static_cast<int>(std::max(kSamplesInARow / perRow, 1u));
-}
-
-template <class F>
-void renderTile(const WideScene& scene, const PathPlan& plan, const RenderJob& job, PassRange pass, const Crop& tile,
-                Film& film, PathCounts& counts) {
-  std::vector<PixelSample> results;
-  const int rows = rowsAtOnce(tile, pass);
-  for (int y = tile.y0; y < tile.y1; y += rows) {
-    const Crop strip{tile.x0, tile.x1, y, std::min(y + rows, tile.y1)};
-    CameraSamples<F> samples(job, strip, pass);
-    results.resize(samples.count());
-    CameraPaths<F> paths(samples, results);
-    PathPacket<F>(scene, plan, job.samplerSettings, counts).run(paths);
-    std::span<const PixelSample> left = results;
-    for (int row = strip.y0; row < strip.y1; ++row) {
-      for (int x = strip.x0; x < strip.x1; ++x) {
-        film.addSamples(x, row, pass.first, left.first(pass.count()));
-        left = left.subspan(pass.count());
-      }
-    }
+const PathKernels& pathKernels(Isa isa, bool sharing) {
+  if constexpr (STERADIAN_DISPATCH) {
+    if (isa == Isa::Avx2) return sharing ? avx2::sharingKernels : avx2::pathKernels;
+    if (isa == Isa::Avx512) return sharing ? avx512::sharingKernels : avx512::pathKernels;
   }
-}
-
-template <int width>
-constexpr RenderPathTile kernel() {
-  if constexpr (width == kNativeWidth || STERADIAN_ISA::kEveryWidth) return renderTile<Lanes<width>>;
-  return nullptr;
+  return sharing ? baseline::sharingKernels : baseline::pathKernels;
 }
 
 }  // namespace
 
-namespace STERADIAN_ISA {
-constinit const PathKernels pathKernels{kNativeWidth, kernel<4>(), kernel<8>(), kernel<16>()};
+std::uint32_t nativeWidth(Isa isa) { return pathKernels(isa, false).nativeWidth; }
+
+RenderPathTile pathKernel(Isa isa, std::uint32_t width, bool sharing) {
+  const auto of = [&](const PathKernels& kernels) {
+    return width == 4 ? kernels.width4 : width == 8 ? kernels.width8 : kernels.width16;
+  };
+  const RenderPathTile own = of(pathKernels(isa, sharing));
+  return own != nullptr ? own : of(pathKernels(Isa::Baseline, sharing));
 }
 
 }  // namespace steradian
