@@ -53,8 +53,7 @@ function(steradian_isa_objects layer source)
     set(isa ${CMAKE_MATCH_1})
     set(object steradian_${name}_${isa})
     add_library(${object} OBJECT ${source})
-    set_target_properties(${object} PROPERTIES
-      POSITION_INDEPENDENT_CODE ${BUILD_SHARED_LIBS} INTERPROCEDURAL_OPTIMIZATION OFF)
+    set_target_properties(${object} PROPERTIES ${STERADIAN_OBJECT_PROPERTIES} INTERPROCEDURAL_OPTIMIZATION OFF)
     target_link_libraries(${object} PRIVATE ${libraries})
     target_include_directories(${object} PRIVATE "${PROJECT_BINARY_DIR}/include")
     target_compile_options(${object} PRIVATE ${STERADIAN_HOT_OPTIONS} -ffp-contract=off -fno-lto

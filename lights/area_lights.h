@@ -5,7 +5,7 @@
 
 #include "steradian/lights/area_light.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 class AreaLights {
  public:

@@ -4,7 +4,7 @@
 #include "steradian/core/scene/description.h"
 #include "steradian/core/transport/scattering.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 namespace detail {
 /// What a point of intensity I gives: weight I / d^2.

@@ -6,7 +6,7 @@
 
 #include "steradian/core/sampling/distribution.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// Few entries by the inverse of the cumulative sum, which keeps the order of low-discrepancy numbers; many by the
 /// alias method, in constant time.

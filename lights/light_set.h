@@ -11,7 +11,7 @@
 #include "steradian/lights/light_selection.h"
 #include "steradian/lights/skies.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// What sample() may choose from. Point, spot and distant lights always: nothing else finds them.
 struct LightSetSettings {

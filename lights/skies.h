@@ -9,7 +9,7 @@
 #include "steradian/lights/environment_map.h"
 #include "steradian/lights/sky.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// They lie behind one another, so that their radiances add up. Sampling chooses one of those that it may choose from,
 /// by power, and a direction by its density; the density of the direction is the sum over all of them.

@@ -2,7 +2,7 @@
 /// Scatters nothing: the usual body of a light.
 #include "steradian/core/transport/scattering.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 template <class F>
 struct Absorber {

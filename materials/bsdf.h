@@ -14,7 +14,7 @@
 #include "steradian/materials/shading_frame.h"
 #include "steradian/materials/uniform_diffuse.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// Whether light samples alone may estimate the continuous part of a model, as the strategy `light` does. False where
 /// there is none, and for fuzzy metal, whose value is unbounded: there the variance would be infinite.

@@ -3,7 +3,7 @@
 #include "steradian/core/colour/colour_image.h"
 #include "steradian/core/scene/description.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// The centre of the pixel in column i is at u = (i + 1/2) / width; where v is 0 the picture has its lower edge.
 /// Nothing is filtered over the footprint of a ray: the samples of a pixel do that.

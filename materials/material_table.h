@@ -11,7 +11,7 @@
 
 #include "steradian/materials/material_set.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 class MaterialTable {
  public:

@@ -4,7 +4,7 @@
 
 #include "steradian/core/scene/description.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// What a ray goes through: a medium, or vacuum with nothing of all this.
 template <class F>

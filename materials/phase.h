@@ -4,7 +4,7 @@
 #include "steradian/core/sampling/henyey_greenstein.h"
 #include "steradian/core/transport/scattering.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// The members of a BSDF, so that estimators treat both alike; a phase function has no cosine, and its value is its
 /// density. What the medium absorbs is not in here.

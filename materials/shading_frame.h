@@ -4,7 +4,7 @@
 #include "steradian/core/math/frame.h"
 #include "steradian/core/transport/scattering.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// Directions are unit vectors in world space that leave the surface. Reflection and transmission are told apart by the
 /// geometric normal: where the shading normal has it otherwise, the value is black, so that light does not leak through

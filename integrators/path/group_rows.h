@@ -8,7 +8,7 @@
 
 #include "steradian/core/math/lanes.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// Rows of floats, one per entry; entries are numbered, and `group` (a power of two) consecutive ones are a group.
 template <class F>

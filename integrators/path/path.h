@@ -4,7 +4,7 @@
 #include "steradian/integrators/path/path_settings.h"
 #include "steradian/integrators/render/integrator.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// The settings, checked. Paths are traced by what prepare() returns: WidePathTracer (wide_path.h), or with width 1
 /// PathTracer.

@@ -22,7 +22,7 @@ struct PathKernels {
 inline constexpr int kSharingEdge = 16;
 
 /// Paths traced at once by default: as many as an instruction holds floats.
-std::uint32_t nativeWidth(Isa isa);
+STERADIAN_API std::uint32_t nativeWidth(Isa isa);
 /// `width` is 4, 8 or 16; `sharing`: see PathSettings::reuse. Each set has the function of its native width. Those of
 /// other widths are the baseline's, on every machine: they are there to compare with, and to compile them for each set
 /// would take two minutes.

@@ -17,7 +17,7 @@
 #include "steradian/integrators/render/integrator.h"
 #include "steradian/materials/phase.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// The settings, as they apply to one scene.
 struct PathPlan {

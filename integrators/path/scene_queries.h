@@ -6,7 +6,7 @@
 #include "steradian/integrators/volumes/free_flight.h"
 #include "steradian/lights/target_set.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// The questions of the path loop (path_loop.h), answered by the scene and its rays counted. The loop takes this type
 /// as a template parameter, so that a benchmark can record the rays and a test can falsify a density at no cost to

@@ -24,7 +24,7 @@
 #include "steradian/integrators/path/path_kernels.h"
 #include "steradian/integrators/path/path_packet.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// The samples of one square of pixels: a source of PathPacket, which traces the paths from x2 on.
 template <class F>

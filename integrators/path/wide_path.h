@@ -4,7 +4,7 @@
 #include "steradian/integrators/path/path_kernels.h"
 #include "steradian/integrators/path/wide_scene.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// Traces several paths of one scene at once (path_packet.h says how): the same pictures as PathTracer, to the bit.
 class WidePathTracer final : public Integrator {

@@ -10,7 +10,7 @@
 #include "steradian/integrators/scene/scene.h"
 #include "steradian/materials/material_table.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// Answers are those of Scene, lane by lane and to the bit. The few primitives of small scenes are met with all lanes
 /// at once; larger scenes are asked ray by ray, and points are found with all lanes unless there are instances or

@@ -5,7 +5,7 @@
 #include "steradian/core/samplers/sampler.h"
 #include "steradian/integrators/render/render_job.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// Samples first, ..., first + perPixel - 1 of the pixels of one tile, pixel by pixel: gives lanes their camera rays.
 template <class F>

@@ -10,7 +10,7 @@
 #include "steradian/integrators/render/render_job.h"
 #include "steradian/integrators/scene/scene.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 class Integrator {
  public:

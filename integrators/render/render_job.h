@@ -14,7 +14,7 @@
 #include "steradian/core/scene/camera.h"
 #include "steradian/integrators/render/render_statistics.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 class Scene;
 

@@ -5,7 +5,9 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace steradian {
+#include "steradian/core/base/api.h"
+
+namespace STERADIAN_API steradian {
 
 /// Rays and paths. Each tile counts for itself; sums do not depend on the order.
 struct PathCounts {

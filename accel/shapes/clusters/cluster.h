@@ -18,7 +18,7 @@
 #include "steradian/accel/shapes/primitives/triangle.h"
 #include "steradian/core/transport/surface_point.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 inline constexpr int kClusterSize = 8;
 /// Primitives of a cluster that one ray meets at once.

@@ -9,7 +9,7 @@
 #include "steradian/core/math/bounds.h"
 #include "steradian/core/scene/description.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 class ClusterSet {
  public:

@@ -13,7 +13,7 @@
 #include "steradian/core/scene/description.h"
 #include "steradian/core/transport/surface_point.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 class FlatPrimitives {
  public:

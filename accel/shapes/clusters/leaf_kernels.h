@@ -12,7 +12,7 @@
 namespace steradian {
 
 /// Clusters of all kinds, numbered through: 0 to end.back() - 1.
-struct Clusters {
+struct STERADIAN_API Clusters {
   /// A custom shape is a cluster of one.
   struct Custom {
     const CustomShape* implementation;
@@ -50,13 +50,13 @@ struct Clusters {
 };
 
 /// See ClusterSet for what they do.
-struct LeafKernels {
+struct STERADIAN_API LeafKernels {
   void (*nearest)(const Clusters&, const Ray<float>&, std::uint32_t instance, LeafHit& best);
   bool (*any)(const Clusters&, const Ray<float>&);
 };
 
 /// `isa` must be usable.
-const LeafKernels& leafKernels(Isa isa);
+STERADIAN_API const LeafKernels& leafKernels(Isa isa);
 
 namespace baseline {
 extern const LeafKernels leafKernels;

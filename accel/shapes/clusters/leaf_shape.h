@@ -11,7 +11,7 @@
 #include "steradian/accel/shapes/primitives/triangle.h"
 #include "steradian/core/scene/description.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 using LeafShape = std::variant<Quad<float>, AlignedQuad, UprightBox<float>, Sphere<float>, MovingSphere<float>,
                                Triangle<float>, Disk<float>, TurnedBox>;

@@ -10,7 +10,7 @@
 #include "steradian/accel/shapes/primitives/shape_point.h"
 #include "steradian/core/transport/surface_point.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// What the numbers of a record mean.
 enum class PointKind : std::uint32_t { Quad, AlignedQuad, Sphere, MovingSphere, UprightBox, TurnedBox, Disk, Triangle };
