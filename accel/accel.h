@@ -5,9 +5,10 @@
 #include <string>
 #include <string_view>
 
+#include "steradian/core/base/api.h"
 #include "steradian/core/scene/description.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 enum class Accel {
   Auto,   ///< the fastest, by measurement (BENCHMARKS.md, "Acceleration structures")

@@ -14,7 +14,7 @@
 #include "steradian/core/scene/description.h"
 #include "steradian/core/transport/surface_point.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 class FlatPrimitives;
 struct PointRecord;

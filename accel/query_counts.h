@@ -2,7 +2,9 @@
 /// What Embree did for the queries of one thread.
 #include <cstdint>
 
-namespace steradian {
+#include "steradian/core/base/api.h"
+
+namespace STERADIAN_API steradian {
 
 struct EmbreeCounts {
   std::uint64_t rays = 0;       ///< that Embree traversed a hierarchy for, those inside of instances included

@@ -5,7 +5,7 @@
 #include "steradian/core/scene/description.h"
 #include "steradian/core/transport/surface_point.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// The point in the shape's own space: position on the surface, its error, normals, uv; no ids. `ray` is in that space.
 /// The error covers the position's rounding and that of the next query from there, so that rays spawned by

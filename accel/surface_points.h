@@ -7,8 +7,9 @@
 #include "steradian/accel/shapes/clusters/point_record.h"
 #include "steradian/accel/surface_point_of.h"
 #include "steradian/accel/transformed_point.h"
+#include "steradian/core/base/api.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// Collects the hits of the lanes, then finds their points: those of Geometry::surfacePoint, to the bit. Primitives of
 /// all kinds, in instances and in motion, are done with all lanes; vertex normals, uv of meshes and custom shapes one

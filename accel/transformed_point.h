@@ -3,10 +3,11 @@
 ///
 /// M is a Matrix, or AffineLanes<F>: lanes compute what single rays do, to the bit.
 #include "steradian/accel/shapes/primitives/shape_point.h"
+#include "steradian/core/base/api.h"
 #include "steradian/core/math/transform.h"
 #include "steradian/core/transport/surface_point.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 namespace detail {
 /// |m| |p| + |translation|: what the rounding errors of transformPoint scale with.

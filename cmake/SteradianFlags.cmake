@@ -1,16 +1,25 @@
 # steradian_flags: how our own code is compiled. Nothing here reaches users of the installed package.
 add_library(steradian_flags INTERFACE)
+if(STERADIAN_WARNINGS)
+  target_compile_options(steradian_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion)
+endif()
+target_compile_features(steradian_flags INTERFACE cxx_std_20)
 target_compile_options(steradian_flags INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow -Wconversion
   # The same picture from every compiler: IEEE arithmetic without contraction, and never -ffast-math, because
   # infinities carry meaning here (a Dirac density). These two only drop errno and floating-point traps.
   -fno-math-errno -fno-trapping-math
+  # A shared library calls its own functions, as the static one does, not those that a program puts in their place.
+  $<$<CXX_COMPILER_ID:GNU>:-fno-semantic-interposition>
   # Optimising g++ 12 gives these two for correct uses of std::string in aggregates (GCC bugs 105651 and 105562);
   # clang++ and the sanitizers look for the same faults.
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict -Wno-maybe-uninitialized>
   # Lanes wider than the target's registers are passed otherwise than where those are wider: code for different targets
   # hands no lanes to each other (core/base/isa.h).
   -Wno-psabi)
+
+if(BUILD_SHARED_LIBS)
+  target_compile_definitions(steradian_flags INTERFACE STERADIAN_SHARED)
+endif()
 
 if(STERADIAN_WERROR)
   target_compile_options(steradian_flags INTERFACE -Werror)
@@ -31,10 +40,12 @@ endif()
 
 # Colours also when Ninja collects the output, and a compiler cache where there is one (it has to be told that a
 # precompiled header may stand for its text).
-set(CMAKE_COLOR_DIAGNOSTICS ON)
-find_program(CCACHE_PROGRAM ccache)
-mark_as_advanced(CCACHE_PROGRAM)
-if(CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  set(CMAKE_CXX_COMPILER_LAUNCHER
-    "${CMAKE_COMMAND}" -E env CCACHE_SLOPPINESS=pch_defines,time_macros "${CCACHE_PROGRAM}")
+if(PROJECT_IS_TOP_LEVEL)
+  set(CMAKE_COLOR_DIAGNOSTICS ON)
+  find_program(STERADIAN_CCACHE ccache)
+  mark_as_advanced(STERADIAN_CCACHE)
+  if(STERADIAN_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+    set(CMAKE_CXX_COMPILER_LAUNCHER
+      "${CMAKE_COMMAND}" -E env CCACHE_SLOPPINESS=pch_defines,time_macros "${STERADIAN_CCACHE}")
+  endif()
 endif()

@@ -1,4 +1,5 @@
 # cmake --install: programs, library, headers under include/steradian, and the package for find_package(Steradian).
+include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 set(package "${CMAKE_INSTALL_LIBDIR}/cmake/Steradian")
@@ -8,8 +9,10 @@ if(BUILD_SHARED_LIBS AND programs)
   set_target_properties(${programs} PROPERTIES INSTALL_RPATH "$ORIGIN/${to_library}")
 endif()
 
-install(TARGETS steradian_library EXPORT SteradianTargets)
-install(TARGETS ${programs})
+install(TARGETS steradian_library EXPORT SteradianTargets INCLUDES DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
+if(programs)
+  install(TARGETS ${programs})
+endif()
 install(DIRECTORY core accel materials lights integrators
   DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/steradian"
   FILES_MATCHING PATTERN "*.h" PATTERN "accel/embree_*" EXCLUDE)

@@ -53,12 +53,12 @@ function(steradian_isa_objects layer source)
     set(isa ${CMAKE_MATCH_1})
     set(object steradian_${name}_${isa})
     add_library(${object} OBJECT ${source})
-    set_target_properties(${object} PROPERTIES
-      POSITION_INDEPENDENT_CODE ${BUILD_SHARED_LIBS} INTERPROCEDURAL_OPTIMIZATION OFF)
+    set_target_properties(${object} PROPERTIES ${STERADIAN_OBJECT_PROPERTIES} INTERPROCEDURAL_OPTIMIZATION OFF)
     target_link_libraries(${object} PRIVATE ${libraries})
     target_include_directories(${object} PRIVATE "${PROJECT_BINARY_DIR}/include")
+    # Unique names, which g++ gives to variables of templates, would stay global whatever is kept.
     target_compile_options(${object} PRIVATE ${STERADIAN_HOT_OPTIONS} -ffp-contract=off -fno-lto
-      -march=${CMAKE_MATCH_2})
+      $<$<CXX_COMPILER_ID:GNU>:-fno-gnu-unique> -march=${CMAKE_MATCH_2})
     target_compile_definitions(${object} PRIVATE STERADIAN_ISA=${isa})
     string(LENGTH ${isa} isa_length)
     set(file "${PROJECT_BINARY_DIR}/isa/${name}_${isa}.o")

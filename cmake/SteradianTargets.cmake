@@ -1,9 +1,11 @@
 # Functions that make our targets; what each folder becomes can be read off the root CMakeLists.txt.
 
-include(GNUInstallDirs)
-
 # A source for rooms that hold headers only.
 file(CONFIGURE OUTPUT "${PROJECT_BINARY_DIR}/header_only.cpp" CONTENT "// This room has headers only.\n")
+
+# Users link our objects into shared libraries of theirs. What the names are for, core/base/api.h says.
+set(STERADIAN_OBJECT_PROPERTIES
+  POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
 
 # steradian_layer(NAME GLOBS pattern... [DEPENDS layer...] [LIBRARIES target...])
 # One room as the static library steradian_NAME. LIBRARIES are private: no public header includes them. *_kernels.isa.cpp
@@ -16,7 +18,7 @@ function(steradian_layer name)
     set(sources "${PROJECT_BINARY_DIR}/header_only.cpp")
   endif()
   add_library(steradian_${name} STATIC ${sources})
-  set_target_properties(steradian_${name} PROPERTIES POSITION_INDEPENDENT_CODE ${BUILD_SHARED_LIBS})
+  set_target_properties(steradian_${name} PROPERTIES ${STERADIAN_OBJECT_PROPERTIES})
   target_link_libraries(steradian_${name}
     PUBLIC ${arg_DEPENDS} Imath::Imath TBB::tbb
     PRIVATE steradian_flags ${arg_LIBRARIES})
@@ -53,8 +55,13 @@ function(steradian_library)
     PUBLIC Imath::Imath TBB::tbb
     PRIVATE ${libraries} Threads::Threads $<BUILD_INTERFACE:steradian_flags>)
   target_compile_features(steradian_library PUBLIC cxx_std_20)
-  target_include_directories(steradian_library PUBLIC
-    "$<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include>" "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>")
+  target_include_directories(steradian_library PUBLIC "$<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include>")
+  if(BUILD_SHARED_LIBS)
+    target_compile_definitions(steradian_library PUBLIC STERADIAN_SHARED)
+    set(exports "${PROJECT_SOURCE_DIR}/cmake/steradian.exports")
+    target_link_options(steradian_library PRIVATE "-Wl,--version-script=${exports}")
+    set_property(TARGET steradian_library APPEND PROPERTY LINK_DEPENDS "${exports}")
+  endif()
   # Templates of our headers that a user instantiates give the same bits as ours only without contraction.
   target_compile_options(steradian_library PUBLIC
     $<$<COMPILE_LANG_AND_ID:CXX,GNU,Clang,AppleClang>:-ffp-contract=off>)

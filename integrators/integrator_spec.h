@@ -10,7 +10,7 @@
 
 #include "steradian/core/base/diagnostics.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// One key of an integrator, for --help and for "did you mean".
 struct IntegratorKey {

@@ -7,7 +7,7 @@
 #include "steradian/integrators/integrator_spec.h"
 #include "steradian/integrators/render/integrator.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// All integrators with their keys, for --help.
 std::span<const IntegratorInfo> integratorRegistry();

@@ -5,7 +5,7 @@
 #include "steradian/core/scene/description.h"
 #include "steradian/core/transport/ray_offset.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 class AreaLight {
  public:

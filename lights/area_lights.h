@@ -6,7 +6,7 @@
 #include "steradian/core/scene/placements.h"
 #include "steradian/lights/area_light.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 class AreaLights {
  public:

@@ -4,7 +4,7 @@
 #include "steradian/core/scene/description.h"
 #include "steradian/core/transport/scattering.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 namespace detail {
 /// A sample of a point of intensity I: the weight is I / d^2.

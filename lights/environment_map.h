@@ -7,7 +7,7 @@
 #include "steradian/core/scene/description.h"
 #include "steradian/core/transport/scattering.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// An ImageSky ready for lookup. Radiance is interpolated between the centres of pixels, around the seam as well;
 /// values below 0 count as 0.

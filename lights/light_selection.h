@@ -6,7 +6,7 @@
 
 #include "steradian/core/sampling/distribution.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// Up to kMaxInverted entries by inverting the cumulative distribution, which keeps the stratification of
 /// low-discrepancy numbers; more by the alias method, in constant time.

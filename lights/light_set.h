@@ -12,7 +12,7 @@
 #include "steradian/lights/light_selection.h"
 #include "steradian/lights/skies.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// Which lights sample() may choose. Point, spot and distant lights it always may: no ray can hit them.
 struct LightSetSettings {

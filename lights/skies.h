@@ -9,7 +9,7 @@
 #include "steradian/lights/environment_map.h"
 #include "steradian/lights/sky.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// All are infinitely far away, so their radiances add up. Sampling chooses one of the skies that are sampled, by
 /// power, and a direction by its pdf; the pdf of that direction is the weighted sum over all of them.

@@ -5,7 +5,7 @@
 #include "steradian/core/scene/description.h"
 #include "steradian/core/transport/scattering.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// All smooth skies of a scene in one: their radiances add up, and the sum is linear in y again.
 struct Sky {

@@ -8,7 +8,7 @@
 #include "steradian/core/scene/description.h"
 #include "steradian/lights/area_lights.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// A set of objects, each with the same probability, as in the book's list of hittables. An object is
 /// - all area lights together, chosen among in proportion to the luminance of their power; or

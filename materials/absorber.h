@@ -2,7 +2,7 @@
 /// Absorbs all light: the usual material of an area light.
 #include "steradian/core/transport/scattering.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 template <class F>
 struct Absorber {

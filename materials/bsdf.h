@@ -14,7 +14,7 @@
 #include "steradian/materials/shading_frame.h"
 #include "steradian/materials/uniform_diffuse.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// The one list of models: for points one by one (F = float) or in lanes. What has to match it is derived from it, or a
 /// static_assert or a switch over its alternatives does not compile.

@@ -13,7 +13,7 @@
 #include "steradian/materials/fresnel.h"
 #include "steradian/materials/local_frame.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 template <class F>
 struct Coated {

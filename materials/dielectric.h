@@ -9,7 +9,7 @@
 #include "steradian/materials/fresnel.h"
 #include "steradian/materials/local_frame.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// `schlick`: reflects by Schlick's approximation with the books' cosine (see fresnelSchlick); else by Fresnel's
 /// formulas.

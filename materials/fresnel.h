@@ -4,7 +4,7 @@
 /// `eta` is the refractive index of the far side over that of the near side (where the cosine is measured).
 #include "steradian/core/math/vec.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// Cosine of the refracted direction, measured on the far side; 0 at total internal reflection (Snell).
 template <class F>

@@ -3,7 +3,7 @@
 #include "steradian/core/colour/colour_image.h"
 #include "steradian/core/scene/description.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// The centre of the pixel in column i is at u = (i + 1/2) / width; v = 0 is the lower edge of the picture. There are
 /// no mip maps and no filter over the footprint of a ray: averaging the samples of a pixel does that.

@@ -12,7 +12,7 @@
 #include "steradian/core/transport/scattering.h"
 #include "steradian/materials/local_frame.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 template <class F>
 struct Lambert {

@@ -2,7 +2,7 @@
 /// Geometry of directions in the local frame, whose z axis is the shading normal.
 #include "steradian/core/sampling/warp.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// Both directions are strictly on the same side of the surface.
 template <class F>

@@ -6,7 +6,7 @@
 #include "steradian/materials/bsdf.h"
 #include "steradian/materials/texture.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 class MaterialSet {
  public:

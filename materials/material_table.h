@@ -10,7 +10,7 @@
 #include "steradian/materials/material_set.h"
 #include "steradian/materials/model_parameters.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// A material takes as much room as its model has parameters. The first three are stored beside the index of the model,
 /// the others in blocks of four, which only the models that have them read.

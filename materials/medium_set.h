@@ -4,7 +4,7 @@
 
 #include "steradian/core/scene/description.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// The medium that a ray travels through. In vacuum all coefficients are 0.
 template <class F>

@@ -11,7 +11,9 @@
 #include <type_traits>
 #include <utility>
 
-namespace steradian {
+#include "steradian/core/base/api.h"
+
+namespace STERADIAN_API steradian {
 
 namespace detail {
 template <class Model, std::size_t... i>

@@ -7,7 +7,7 @@
 #include "steradian/core/samplers/rng.h"
 #include "steradian/core/scene/description.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// Gradient noise on the lattice of whole numbers (Perlin 1985, "An image synthesizer"): at each lattice point a random
 /// unit vector, whose dot products with the offsets to the eight corners of a cell are blended by 3t^2 - 2t^3. It is

@@ -4,7 +4,7 @@
 #include "steradian/core/sampling/henyey_greenstein.h"
 #include "steradian/core/transport/scattering.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// It has the members of a BSDF model, so that estimators treat both alike. There is no cosine: the value is the pdf.
 /// Absorption is not part of it.

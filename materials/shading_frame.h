@@ -4,7 +4,7 @@
 #include "steradian/core/math/frame.h"
 #include "steradian/core/transport/scattering.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// Directions are unit vectors in world space that leave the surface. Where the two normals disagree about whether wo
 /// and wi are on the same side, the value is black, so that light does not leak through surfaces with interpolated

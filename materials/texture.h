@@ -8,7 +8,7 @@
 #include "steradian/materials/image_texture.h"
 #include "steradian/materials/perlin_noise.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 class TextureSet {
  public:

@@ -4,7 +4,9 @@
 #include <filesystem>
 #include <span>
 
-namespace steradian {
+#include "steradian/core/base/api.h"
+
+namespace STERADIAN_API steradian {
 
 /// Writes a whole file so that a reader finds either what was there before or all of `data`, never a part: into a
 /// new file beside the target, fsynced, size verified, renamed. The mode of a replaced file is kept.

@@ -3,7 +3,9 @@
 #include <string>
 #include <vector>
 
-namespace steradian {
+#include "steradian/core/base/api.h"
+
+namespace STERADIAN_API steradian {
 
 /// "g++ 12.2.0"
 std::string compilerVersion();

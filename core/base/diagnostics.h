@@ -10,7 +10,9 @@
 #include <string_view>
 #include <vector>
 
-namespace steradian {
+#include "steradian/core/base/api.h"
+
+namespace STERADIAN_API steradian {
 
 /// A stretch of text in an input file. Lines and columns count from 1, columns and length in bytes;
 /// 0 means "not known" (an error of the whole file has line 0).

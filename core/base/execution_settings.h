@@ -2,10 +2,11 @@
 /// How code is executed, as far as a user may choose: a matter of speed only, never of the picture.
 #include <cstdint>
 
+#include "steradian/core/base/api.h"
 #include "steradian/core/base/diagnostics.h"
 #include "steradian/core/base/isa.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// With which instructions a render runs, and how many paths it traces at once. Threads are not part of it: they are
 /// those of the caller's tbb::task_arena. Queries about the geometry have an instruction set of their own, which is

@@ -5,7 +5,9 @@
 #endif
 #include <cstdint>
 
-namespace steradian {
+#include "steradian/core/base/api.h"
+
+namespace STERADIAN_API steradian {
 
 /// While it lives, this thread takes denormal numbers as zero and rounds results that would be denormal to zero: they
 /// cost a hundred cycles each on many processors, and every thread must do the same for pictures to be the same to the

@@ -30,7 +30,9 @@
 #include <tbb/parallel_invoke.h>
 #endif
 
-namespace steradian {
+#include "steradian/core/base/api.h"
+
+namespace STERADIAN_API steradian {
 
 #if defined(STERADIAN_STD_THREADS)
 

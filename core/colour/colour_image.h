@@ -6,7 +6,7 @@
 #include "steradian/core/image/image.h"
 #include "steradian/core/transport/spectrum.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// The colours of an image: R, G and B, or its only channel for all three. It refers to the image's pixels, so any
 /// number of pictures may share them.

@@ -9,7 +9,7 @@
 
 #include "steradian/core/image/image.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 struct DisplaySettings {
   std::string display;    ///< empty: the configuration's default

@@ -9,7 +9,7 @@
 
 #include "steradian/core/image/image.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// R, G, B in [0, 1].
 using DisplayColour = std::array<float, 3>;

@@ -20,7 +20,7 @@
 #include "steradian/core/statistics/standard_error.h"
 #include "steradian/core/transport/spectrum.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// What one sample of a pixel measured. Filter weights have mean 1 and are multiplied into `radiance` and `alpha`
 /// beforehand (filter importance sampling).

@@ -5,7 +5,7 @@
 
 #include "steradian/core/film/film.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// Mean luminance of a block of pixels.
 struct BlockEstimate {

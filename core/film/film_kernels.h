@@ -25,7 +25,7 @@ struct SampleSums {
   std::uint32_t hits = 0;
 };
 
-struct FilmKernels {
+struct STERADIAN_API FilmKernels {
   /// The sums of up to kMaxCount samples; false if a value is too large for the short way, or not finite.
   bool (*sum)(std::span<const PixelSample> samples, SampleSums& sums);
 };

@@ -9,7 +9,7 @@
 
 #include "steradian/core/sampling/distribution.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 enum class FilterType { Box, Triangle, Gaussian, Mitchell, BlackmanHarris };
 /// "box", "triangle", "gaussian", "mitchell", "blackman-harris"; nothing for any other name.

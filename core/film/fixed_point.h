@@ -9,7 +9,9 @@
 #include <cstdint>
 #include <limits>
 
-namespace steradian {
+#include "steradian/core/base/api.h"
+
+namespace STERADIAN_API steradian {
 
 /// 128 bits in steps of 2^-64: exact for every float of magnitude in [2^-41, 2^63), and within 2^-65 below that.
 ///

@@ -5,7 +5,9 @@
 #include <string>
 #include <vector>
 
-namespace steradian {
+#include "steradian/core/base/api.h"
+
+namespace STERADIAN_API steradian {
 
 /// The samples first, ..., end - 1 of every pixel, drawn with `seed`.
 struct SampleRange {

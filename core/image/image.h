@@ -11,7 +11,9 @@
 #include <variant>
 #include <vector>
 
-namespace steradian {
+#include "steradian/core/base/api.h"
+
+namespace STERADIAN_API steradian {
 
 /// A value that travels with an image. A vector of 16 floats is a 4x4 matrix in row-major order (row vectors, as in
 /// Imath and OpenEXR), of 8 floats under the name "chromaticities" the xy of red, green, blue and white.

@@ -7,7 +7,9 @@
 #include <optional>
 #include <span>
 
-namespace steradian {
+#include "steradian/core/base/api.h"
+
+namespace STERADIAN_API steradian {
 
 /// What an OpenEXR file claims to hold, read from its header alone.
 struct ExrExtent {

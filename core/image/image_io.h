@@ -11,7 +11,7 @@
 
 #include "steradian/core/image/image.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// Exr and Hdr are scene-linear: they hold the pixels of a render as they are, without any display transform.
 /// Png, Jpeg, Tiff and Ppm are display-referred: they hold what is to be seen, so an image goes through

@@ -9,7 +9,7 @@
 
 #include "steradian/core/image/image.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// Mean over pixels of the mean over R, G, B of (x - r)^2 / (r^2 + 0.01), r the reference; the 0.1 % of pixels (rounded
 /// down) with the largest error are left out. If the standard errors of the reference are given (channels R, G, B),

@@ -5,7 +5,9 @@
 #include <span>
 #include <vector>
 
-namespace steradian {
+#include "steradian/core/base/api.h"
+
+namespace STERADIAN_API steradian {
 
 /// A TIFF file of interleaved RGB, 8 or 16 bits per channel, rows from top to bottom, in deflated strips.
 /// `samples` are width * height * 3 numbers. Ours, because OpenImageIO 2.4 writes damaged TIFFs to memory without an

@@ -2,7 +2,7 @@
 /// Orthonormal frame about a unit z axis: local directions have the normal along (0, 0, 1).
 #include "steradian/core/math/vec.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 template <class F>
 struct Frame {

@@ -14,7 +14,7 @@
 
 #include "steradian/core/math/lanes_vectors.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 template <int N>
 struct Mask {

@@ -8,7 +8,9 @@
 #include <cstdint>
 #include <utility>
 
-namespace steradian {
+#include "steradian/core/base/api.h"
+
+namespace STERADIAN_API steradian {
 
 /// As many floats as one instruction of the compile target holds. It differs between the objects that core/base/isa.h
 /// tells of, and so does the layout of wider vectors: neither may pass from one to another.

@@ -8,7 +8,7 @@
 
 #include "steradian/core/math/lanes.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 inline constexpr float kPi = 3.14159265358979f;
 inline constexpr float kTwoPi = 6.28318530717959f;

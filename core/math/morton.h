@@ -3,7 +3,9 @@
 /// aligned blocks of 4^k numbers.
 #include <cstdint>
 
-namespace steradian {
+#include "steradian/core/base/api.h"
+
+namespace STERADIAN_API steradian {
 
 /// The lower 16 bits, moved to the even places.
 constexpr std::uint32_t spreadBits(std::uint32_t x) {

@@ -2,7 +2,7 @@
 /// Transforms that change while the shutter is open, at any time of it.
 #include "steradian/core/math/transform.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// Local to world, at time 0 and at time 1: affine, invertible, and both mirrors or neither. Between the two,
 /// translation, rotation and stretch are interpolated each for itself.

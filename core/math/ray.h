@@ -2,7 +2,7 @@
 /// A ray: the points origin + t direction with tMin < t < tMax, at a time of the shutter.
 #include "steradian/core/math/vec.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 template <class F>
 struct Ray {

@@ -6,7 +6,7 @@
 
 #include "steradian/core/math/bounds.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 using Matrix = Imath::M44f;
 

@@ -4,7 +4,7 @@
 
 #include "steradian/core/math/math.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 template <class F>
 struct Vec2 {

@@ -11,7 +11,7 @@
 
 #include "steradian/core/samplers/sobol.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// How the bits of the sequence's index are shared out: below, the sample in its pixel; above, the pixel in its square.
 struct BlueNoiseLayout {

@@ -15,7 +15,7 @@
 #include "steradian/core/samplers/rng.h"
 #include "steradian/core/samplers/sample_dimension.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// The bases of the two coordinates of each purpose, in its order.
 inline constexpr std::array<std::array<std::uint32_t, 2>, kPurposeCount> kHaltonBases{{

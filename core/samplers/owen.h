@@ -7,7 +7,7 @@
 
 #include "steradian/core/math/lanes.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// Two at once: at width 1 they share the swaps of a 64-bit word.
 template <class U>

@@ -7,7 +7,7 @@
 
 #include "steradian/core/math/lanes.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// The image of `index` < count under the permutation that the four random words of `key` choose; count >= 1. Eight
 /// rounds of an invertible mixing on as many bits as count - 1 has, less than twice on average: of four, the images of

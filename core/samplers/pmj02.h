@@ -8,7 +8,7 @@
 #include "steradian/core/samplers/owen.h"
 #include "steradian/core/samplers/rng.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// The table has 2^12 points, and is 32 KiB: the sequence ends there.
 inline constexpr int kPmj02Bits = 12;

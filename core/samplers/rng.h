@@ -5,7 +5,7 @@
 
 #include "steradian/core/math/vec.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// A float in [0, 1) from the upper 24 bits.
 template <class F>

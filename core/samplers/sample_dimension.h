@@ -2,7 +2,9 @@
 /// What the random numbers of a sample are for: the names of a sampler's dimensions.
 #include <cstdint>
 
-namespace steradian {
+#include "steradian/core/base/api.h"
+
+namespace STERADIAN_API steradian {
 
 /// What a random number is for; one or two coordinates each.
 enum class Purpose : std::uint32_t {

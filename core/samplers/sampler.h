@@ -19,7 +19,7 @@
 #include "steradian/core/samplers/sobol_full.h"
 #include "steradian/core/samplers/stratified.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// See Sampler for what they are.
 enum class SamplerType { Independent, Stratified, Halton, Sobol, SobolFull, BlueNoise, Pmj02 };

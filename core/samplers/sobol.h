@@ -8,7 +8,7 @@
 #include "steradian/core/samplers/owen.h"
 #include "steradian/core/samplers/rng.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// The digits of the second dimension, least significant first: the upper Pascal matrix mod 2 times the digits of the
 /// index. Pascal's triangle mod 2 is the fivefold Kronecker product of [1 1; 0 1] (Lucas), so the product takes five

@@ -5,7 +5,9 @@
 #include <array>
 #include <cstdint>
 
-namespace steradian {
+#include "steradian/core/base/api.h"
+
+namespace STERADIAN_API steradian {
 
 /// One coordinate: a primitive polynomial x^s + a_1 x^(s-1) + ... + a_(s-1) x + 1 modulo 2, and the odd numbers
 /// m_i < 2^i, i = 1 ... s, that begin the recurrence.

@@ -8,7 +8,7 @@
 #include "steradian/core/samplers/owen.h"
 #include "steradian/core/samplers/rng.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 inline constexpr std::uint32_t kSobolCoordinates = 256;
 

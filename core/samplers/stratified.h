@@ -5,7 +5,7 @@
 #include "steradian/core/samplers/permutation.h"
 #include "steradian/core/samplers/rng.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// (cell + jitter) / cells; rounding must not reach 1.
 template <class F>

@@ -13,7 +13,7 @@
 #include "steradian/core/sampling/warp.h"
 #include "steradian/core/transport/scattering.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 template <class P, class F>
 concept SimpleDirectionPdf = requires(const P& p, Vec2<F> u, Vec3<F> wi) {

@@ -14,7 +14,7 @@
 
 #include "steradian/core/math/vec.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 namespace detail {
 /// Cumulative sums of the weights in steps of 2^-24, from 0 to 1: one more than there are weights. Throws.

@@ -20,7 +20,7 @@
 #include "steradian/core/statistics/running_mean.h"
 #include "steradian/core/statistics/standard_error.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// The middle of the step of 2^-24 that a random number of a sampler stands for, in (0, 1). Numbers are rounded down to
 /// their step, which shifts means by 2^-25 of a slope: less than noise, but more than the error of a long Sobol'

@@ -6,7 +6,7 @@
 /// the masking-shadowing function in microfacet-based BRDFs"). Densities are per steradian.
 #include "steradian/core/sampling/warp.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// The distribution: an ellipsoid's normals. Both alphas are in [1e-4, 10]; narrower lobes are mirrors to floats.
 template <class F>

@@ -2,7 +2,7 @@
 /// The phase function of Henyey & Greenstein 1941, "Diffuse radiation in the galaxy".
 #include "steradian/core/sampling/warp.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// Directions about (0, 0, 1), the direction in which the light travels, with density
 ///

@@ -7,7 +7,7 @@
 
 #include "steradian/core/sampling/distribution.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// A density on [0, 1)^2 that is constant in each cell of a grid. A quad-tree of sums moves a point level by level: it
 /// goes to the upper or lower half, then to the left or right quarter, and is stretched to fill what it fell into. The

@@ -5,7 +5,7 @@
 /// density starts at 0, the random number 0 counts as 2^-25, so that no sample has the density 0.
 #include "steradian/core/math/math.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 namespace detail {
 /// u, or half a step of the random numbers in place of 0.

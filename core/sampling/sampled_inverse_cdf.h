@@ -7,7 +7,7 @@
 
 #include "steradian/core/sampling/distribution.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// A place with its share of the distribution, in any unit. Of places that are uniform on the interval: the density
 /// there, not normalised (the book's p(x)); of places that have the density q: p(x) / q(x); of draws from the

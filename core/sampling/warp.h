@@ -7,7 +7,7 @@
 /// cosine wherever the cosine is near 1: half the digits of a small angle would be lost in it.
 #include "steradian/core/math/vec.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// An azimuth as a random number: phi / 2 pi in [0, 1).
 template <class F>

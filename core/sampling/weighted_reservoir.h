@@ -6,7 +6,7 @@
 
 #include "steradian/core/math/math.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// T: any value at width 1; a type with `select(MaskOf<F>, T, T)` for Lanes<N>, where each lane has a stream of its
 /// own.

@@ -10,7 +10,7 @@
 #include "steradian/core/sampling/warp.h"
 #include "steradian/core/scene/description.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// Everything that a camera ray depends on.
 template <class F>

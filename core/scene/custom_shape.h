@@ -5,7 +5,7 @@
 #include "steradian/core/math/bounds.h"
 #include "steradian/core/math/ray.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 struct CustomHit {
   float t;       ///< ray.tMin < t < ray.tMax

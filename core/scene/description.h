@@ -17,7 +17,7 @@
 #include "steradian/core/transport/spectrum.h"
 #include "steradian/core/transport/surface_point.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 using Id = std::uint32_t;
 

@@ -12,9 +12,10 @@
 #include <span>
 #include <vector>
 
+#include "steradian/core/base/api.h"
 #include "steradian/core/scene/description.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// One instance of a group. A small value that refers to the description.
 struct InstancePlacement {

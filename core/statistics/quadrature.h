@@ -3,7 +3,9 @@
 #include <array>
 #include <cmath>
 
-namespace steradian {
+#include "steradian/core/base/api.h"
+
+namespace STERADIAN_API steradian {
 
 namespace detail {
 

@@ -3,7 +3,9 @@
 #include <cmath>
 #include <cstdint>
 
-namespace steradian {
+#include "steradian/core/base/api.h"
+
+namespace STERADIAN_API steradian {
 
 /// One value at a time, without their sum of squares, whose digits would cancel (Welford 1962, "Note on a method for
 /// calculating corrected sums of squares and products").

@@ -16,7 +16,9 @@
 #include <limits>
 #include <span>
 
-namespace steradian {
+#include "steradian/core/base/api.h"
+
+namespace STERADIAN_API steradian {
 
 /// Most sub-sequences of one sequence. They are aligned runs of 2^s samples, for the smallest s at which 8 runs reach
 /// to the last sample; sample i belongs to run i >> s. So each is a net in base 2, as good as a sequence of its length

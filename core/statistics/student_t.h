@@ -1,7 +1,8 @@
 #pragma once
 /// Student's t distribution: what a mean divided by its own estimated standard error follows.
+#include "steradian/core/base/api.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// I_x(a, b), the regularised incomplete beta function, for a, b > 0 and x in [0, 1].
 /// Source: NIST Digital Library of Mathematical Functions, 8.17.22 (continued fraction) and 8.17.4 (symmetry).

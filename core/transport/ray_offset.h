@@ -3,7 +3,7 @@
 #include "steradian/core/math/ray.h"
 #include "steradian/core/transport/scattering.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// `position` moved along the normal, to the side that `direction` leaves by, out of its error bound: by the bound
 /// projected on the normal (Pharr, Jakob & Humphreys, "Physically Based Rendering", 4th ed., 6.8.6), and by what the

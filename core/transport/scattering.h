@@ -7,7 +7,7 @@
 #include "steradian/core/math/vec.h"
 #include "steradian/core/transport/spectrum.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// What is carried along the path: it decides about refraction scaling and the adjoint of non-symmetric models.
 enum class Transport { Radiance, Importance };

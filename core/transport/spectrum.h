@@ -3,7 +3,7 @@
 /// Radiance is in W sr^-1 m^-2 per channel; reflectance and weights have no unit.
 #include "steradian/core/math/math.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 template <class F>
 struct Spectrum {

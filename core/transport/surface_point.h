@@ -4,7 +4,7 @@
 
 #include "steradian/core/math/vec.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// "No such thing" among ids (material, light, instance, ...).
 inline constexpr std::uint32_t kNone = 0xffffffffu;

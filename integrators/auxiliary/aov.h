@@ -2,7 +2,7 @@
 /// Integrators that show one property of what the camera sees.
 #include "steradian/integrators/render/integrator.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// (n + 1) / 2 of the unit shading normal, turned to the camera ("In One Weekend", 6.2); the sky where nothing is.
 class NormalIntegrator final : public RadianceIntegrator {

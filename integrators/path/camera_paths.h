@@ -6,7 +6,7 @@
 #include "steradian/integrators/path/path_packet.h"
 #include "steradian/integrators/render/camera_samples.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 template <class F>
 class CameraPaths {

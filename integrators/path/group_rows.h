@@ -8,7 +8,7 @@
 
 #include "steradian/core/math/lanes.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// A table with a column for each path (entry). Entries are numbered; each `group` consecutive ones, a power of two,
 /// are a group.

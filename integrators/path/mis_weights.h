@@ -4,10 +4,11 @@
 /// Light that reaches a vertex from a certain direction may be found in two ways: by one of the vertex's light samples,
 /// or by the scattered ray, if that hits the light. Both are counted, with weights that add up to 1. Dirac
 /// distributions need no special case: their density kDirac is infinite, and the weights become 0 and 1.
+#include "steradian/core/base/api.h"
 #include "steradian/core/transport/scattering.h"
 #include "steradian/integrators/path/path_settings.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// The weight of a light sample: the power heuristic (Veach 1997, 9.2.4) for `lightSamples` samples of density
 /// `lightPdf` > 0 against one scattered ray of density `scatterPdf`. Densities are per steradian, of one direction.

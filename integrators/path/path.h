@@ -3,7 +3,7 @@
 #include "steradian/integrators/path/path_settings.h"
 #include "steradian/integrators/render/integrator.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// Path tracing with the given settings. What prepare() returns traces paths one at a time (path_loop.h) if the width
 /// is 1, else several at once (path_packet.h): the same pictures, to the bit.

@@ -2,12 +2,13 @@
 /// What the path integrator prepares for one scene.
 #include <optional>
 
+#include "steradian/core/base/api.h"
 #include "steradian/integrators/path/path_settings.h"
 #include "steradian/integrators/scene/scene.h"
 #include "steradian/lights/light_set.h"
 #include "steradian/lights/target_set.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// The settings as they apply to one scene: everything that the user left open is decided.
 struct PathPlan {

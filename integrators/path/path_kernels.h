@@ -23,7 +23,7 @@ struct PathKernels {
 inline constexpr int kSharingEdge = 16;
 
 /// Paths traced at once by default: as many as an instruction holds floats.
-std::uint32_t nativeWidth(Isa isa);
+STERADIAN_API std::uint32_t nativeWidth(Isa isa);
 /// The function for an instruction set and a width of 4, 8 or 16; `sharing`: pixels share paths (PathSettings::reuse).
 /// Each set has the function of its native width only. For other widths the baseline's is returned: these are there to
 /// compare with, and compiling them for every set would take two minutes.

@@ -12,7 +12,7 @@
 #include "steradian/integrators/path/wide_free_flight.h"
 #include "steradian/integrators/path/wide_scene.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 template <class F>
 class PathLanes {

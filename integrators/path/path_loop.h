@@ -22,7 +22,7 @@
 #include "steradian/integrators/render/integrator.h"
 #include "steradian/materials/phase.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// A vertex of the path, where light is gathered. Scatterer: Bsdf on a surface, Phase<float> in a medium.
 template <class Scatterer>

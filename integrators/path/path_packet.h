@@ -14,7 +14,7 @@
 
 #include "steradian/integrators/path/path_lanes.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 struct PathStart {
   PathState<float> path;

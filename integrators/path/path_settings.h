@@ -5,7 +5,9 @@
 #include <string>
 #include <vector>
 
-namespace steradian {
+#include "steradian/core/base/api.h"
+
+namespace STERADIAN_API steradian {
 
 /// Where directions towards light come from. Point, spot and distant lights cannot be hit: every strategy samples them.
 enum class Strategy {

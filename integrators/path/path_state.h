@@ -4,7 +4,7 @@
 #include "steradian/core/transport/scattering.h"
 #include "steradian/core/transport/spectrum.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 template <class F>
 struct PathState {

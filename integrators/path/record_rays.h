@@ -6,7 +6,7 @@
 #include "steradian/integrators/render/render_settings.h"
 #include "steradian/integrators/scene/scene.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 enum class RayKind : std::uint8_t { Camera, Bounce, Shadow };
 

@@ -6,7 +6,7 @@
 #include "steradian/integrators/volumes/free_flight.h"
 #include "steradian/lights/target_set.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// Answers the questions of the path loop (path_loop.h) from a scene, and counts the rays. The loop takes this type as
 /// a template parameter, so that a benchmark can record rays and a test can falsify a density without cost to renders:

@@ -25,7 +25,7 @@
 #include "steradian/integrators/path/path_kernels.h"
 #include "steradian/integrators/path/path_packet.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// The samples of one square of pixels. It traces paths up to where they leave x2, is the Source of PathPacket for the
 /// rest of them, and connects them when they have all ended.

@@ -9,7 +9,7 @@
 #include "steradian/integrators/volumes/crossings.h"
 #include "steradian/integrators/volumes/free_flight.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// Calls visit(i) for the lanes of the mask, in order.
 template <class Mask, class Visit>

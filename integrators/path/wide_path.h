@@ -5,7 +5,7 @@
 #include "steradian/integrators/path/wide_scene.h"
 #include "steradian/integrators/render/integrator.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// Traces several paths of one scene at once (path_packet.h says how): the same pictures as at width 1, to the
 /// bit.

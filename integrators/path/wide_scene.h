@@ -11,7 +11,7 @@
 #include "steradian/integrators/scene/scene.h"
 #include "steradian/materials/material_table.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// Answers are those of Scene, lane by lane and to the bit. The few primitives of small scenes are tested against all
 /// lanes at once; larger scenes are asked ray by ray. Surface points are found with all lanes.

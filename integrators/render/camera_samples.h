@@ -5,7 +5,7 @@
 #include "steradian/core/samplers/sampler.h"
 #include "steradian/integrators/render/render_job.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// The samples pass.first, ..., pass.end - 1 of all pixels of a tile, pixel by pixel, with their camera rays. Rays are
 /// computed for as many samples at once as there are lanes, and handed out one by one.

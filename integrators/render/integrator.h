@@ -16,7 +16,7 @@
 #include "steradian/integrators/render/render_job.h"
 #include "steradian/integrators/scene/scene.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// An integrator together with all that it has computed for one scene. Immutable.
 class PreparedIntegrator {

@@ -9,7 +9,7 @@
 #include "steradian/integrators/render/render_statistics.h"
 #include "steradian/integrators/scene/scene.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 struct RenderResult {
   Film film;

@@ -14,7 +14,7 @@
 #include "steradian/core/scene/camera.h"
 #include "steradian/integrators/render/render_statistics.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 struct RenderProgress {
   double fraction = 0.0;              ///< done, 0..1: of the samples, or of the time limit if that is nearer its end

@@ -8,7 +8,7 @@
 #include "steradian/core/film/filter.h"
 #include "steradian/core/samplers/sampler.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 struct RenderSettings {
   /// Of the full picture. Nothing: as the scene says; one of the two given: with the scene's aspect ratio.

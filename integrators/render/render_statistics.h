@@ -6,8 +6,9 @@
 #include <cstdint>
 
 #include "steradian/accel/query_counts.h"
+#include "steradian/core/base/api.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// Rays and paths. Each tile counts for itself; sums do not depend on the order.
 struct PathCounts {

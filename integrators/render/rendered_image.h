@@ -4,7 +4,7 @@
 #include "steradian/integrators/render/render.h"
 #include "steradian/integrators/scene/scene.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// The film's image with metadata. Of names that others know: "worldToCamera", "worldToNDC" (core/scene/camera.h; the
 /// second not for spherical cameras), "chromaticities" (Rec.709), "software", "renderTime" (seconds). Our own:

@@ -5,7 +5,7 @@
 #include "steradian/core/film/film.h"
 #include "steradian/integrators/render/render_job.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// Calls renderTile(tile, counts) for each tile of the crop until the job is to stop; edges of tiles are multiples of
 /// `unit`. A tile must add all samples of the pass to each of its pixels.

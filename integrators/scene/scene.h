@@ -10,7 +10,7 @@
 #include "steradian/lights/light_set.h"
 #include "steradian/materials/material_set.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 struct SceneSettings {
   GeometrySettings geometry;  ///< `isa`: the instruction set of queries; that of renders: RenderSettings::execution

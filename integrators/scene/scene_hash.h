@@ -5,7 +5,7 @@
 
 #include "steradian/core/scene/description.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// The same on every machine. Depends on everything that a picture depends on, in its order; not on names, source
 /// ranges and render defaults. Custom shapes count by their bounds.

@@ -3,7 +3,7 @@
 #include "steradian/core/math/ray.h"
 #include "steradian/integrators/volumes/volumes.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// Follows one ray through the surfaces that it reaches. It passes those that are not real to it (interfaces of media,
 /// and surfaces hidden inside of a shape with a higher priority) and stops at the first that is real.

@@ -7,7 +7,7 @@
 #include "steradian/core/sampling/warp.h"
 #include "steradian/materials/medium_set.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// The free flight of paths to the next surface that stops them, or to where a medium scatters them.
 ///

@@ -5,7 +5,7 @@
 
 #include "steradian/core/scene/description.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// The closed shapes that a ray is inside of, in the order in which it entered them. Which of them fills the space is
 /// decided by priority ("Ray Tracing Gems", chapter 11: Automatic Handling of Materials in Nested Volumes).

@@ -7,7 +7,7 @@
 #include "steradian/integrators/volumes/interior_stack.h"
 #include "steradian/materials/medium_set.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// What a surface is to a ray that reaches it.
 struct Boundary {

@@ -124,6 +124,9 @@ class Inspector {
   bool isEmbreeFile() const { return path_.starts_with("accel/embree_"); }
   bool isPublicHeader() const { return isHeader() && !isEmbreeFile() && !startsWithAny(path_, {"apps/", "tests/"}); }
 
+  /// Installed, because others include it, but not shown by a shared library.
+  bool isInternalHeader() const { return path_.ends_with("_kernels.h"); }
+
   void violation(const std::string& text) {
     findings_.violations.push_back(path_ + ":" + std::to_string(line_) + ": " + text);
   }
@@ -175,6 +178,8 @@ class Inspector {
 
   void inspectCode(std::string_view code) {
     if (containsAny(code, {"vector_size", "__builtin_ia32_", "__m128", "__m256", "__m512"})) simd(trimmed(code));
+    if (isPublicHeader() && !isInternalHeader() && trimmed(code).starts_with("namespace steradian"))
+      violation("an installed header opens its namespace with STERADIAN_API");
   }
 
   void simd(std::string_view what) {

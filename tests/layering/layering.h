@@ -24,6 +24,7 @@ struct Findings {
 /// - only core/math/lanes* knows SIMD types and intrinsics;
 /// - only core/base/parallel.h knows oneTBB, so that ThreadSanitizer can be given other threads;
 /// - public headers keep private what users need not have: OpenImageIO, OpenColorIO, fmt, Embree;
+/// - installed headers open their namespace with STERADIAN_API, but for tables of kernels (core/base/api.h);
 /// - headers start with #pragma once, and no file is longer than 450 lines.
 Findings inspect(const std::filesystem::path& root);
 

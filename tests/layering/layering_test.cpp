@@ -129,6 +129,17 @@ TEST_F(Layering, KeepsPrivateLibrariesOutOfPublicHeaders) {
   EXPECT_EQ(violations(), Lines{"core/image/image.h:2: a public header may not include OpenImageIO/imageio.h"});
 }
 
+TEST_F(Layering, RejectsInterfacesThatASharedLibraryHides) {
+  write("lights/a.h", "#pragma once\nnamespace STERADIAN_API steradian {\n}\n");
+  write("lights/b.h", "#pragma once\nnamespace steradian {\n}\n");
+  write("lights/c.h", "#pragma once\nnamespace steradian::detail {\n}\n");
+  write("lights/c.cpp", "namespace steradian {\n}\n");
+  write("lights/light_kernels.h", "#pragma once\nnamespace steradian {\n}\n");
+  write("accel/embree_tree.h", "#pragma once\nnamespace steradian {\n}\n");
+  EXPECT_EQ(violations(), (Lines{"lights/b.h:2: an installed header opens its namespace with STERADIAN_API",
+                                 "lights/c.h:2: an installed header opens its namespace with STERADIAN_API"}));
+}
+
 TEST_F(Layering, RejectsLongFilesAndUnguardedHeaders) {
   std::string lines;
   for (int i = 0; i < 451; ++i) lines += "\n";

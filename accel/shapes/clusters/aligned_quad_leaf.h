@@ -1,8 +1,9 @@
 #pragma once
 /// Quads along the axes, as a leaf kind (leaf.h). A set is of this kind if all of its quads are.
 #include "steradian/accel/shapes/clusters/leaf.h"
+#include "steradian/core/base/api.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 struct AlignedQuadLeaf {
   using Set = QuadSet;

@@ -2,8 +2,9 @@
 /// Boxes, as two leaf kinds (leaf.h): those turned about y alone, or not at all, and others. Which of the faces is hit
 /// is found with the point.
 #include "steradian/accel/shapes/clusters/leaf.h"
+#include "steradian/core/base/api.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 namespace detail {
 template <class F, class Axes>

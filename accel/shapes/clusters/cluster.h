@@ -12,7 +12,7 @@
 #include "steradian/accel/shapes/clusters/leaf.h"
 #include "steradian/core/transport/surface_point.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// Primitives of a cluster that are tested against a ray at once.
 using LeafLanes = Lanes<std::min(kNativeWidth, kClusterSize)>;

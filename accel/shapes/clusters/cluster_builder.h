@@ -4,9 +4,10 @@
 #include <vector>
 
 #include "steradian/accel/shapes/clusters/leaf_kernels.h"
+#include "steradian/core/base/api.h"
 #include "steradian/core/math/bounds.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 struct BuiltClusters {
   Clusters clusters;            ///< without a tree

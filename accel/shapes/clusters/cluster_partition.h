@@ -6,7 +6,7 @@
 
 #include "steradian/core/math/bounds.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 struct ClusterItem {
   Bounds3 bounds;         ///< of the primitive

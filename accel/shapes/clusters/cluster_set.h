@@ -4,7 +4,7 @@
 #include "steradian/accel/shapes/clusters/point_record.h"
 #include "steradian/core/base/isa.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// Immutable. Queries go through the tree of the clusters if they have one, and otherwise over each in turn; hits are
 /// the same either way.

@@ -3,7 +3,9 @@
 #include <cstdint>
 #include <vector>
 
-namespace steradian {
+#include "steradian/core/base/api.h"
+
+namespace STERADIAN_API steradian {
 
 struct ClusterTree {
   static constexpr std::uint32_t kWidth = 8;

@@ -9,7 +9,7 @@
 
 #include "steradian/accel/shapes/clusters/point_record.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 class FlatPrimitives {
  public:

@@ -36,9 +36,10 @@
 #include "steradian/accel/shapes/primitives/in_lanes.h"
 #include "steradian/accel/shapes/primitives/shape_at.h"
 #include "steradian/accel/shapes/primitives/shape_point.h"
+#include "steradian/core/base/api.h"
 #include "steradian/core/scene/description.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// Primitives of a cluster.
 inline constexpr int kClusterSize = 8;

@@ -11,7 +11,7 @@
 namespace steradian {
 
 /// Clusters of all kinds, numbered through: 0 to count() - 1.
-struct Clusters {
+struct STERADIAN_API Clusters {
   template <class Leaf>
   using Of = std::vector<Cluster<Leaf>>;
 
@@ -38,7 +38,7 @@ struct Clusters {
 };
 
 /// See ClusterSet for what they do.
-struct LeafKernels {
+struct STERADIAN_API LeafKernels {
   void (*intersect)(const Clusters&, const Ray<float>&, std::uint32_t instance, LeafHit& best);
   bool (*occluded)(const Clusters&, const Ray<float>&);
   void (*intersectOne)(const Clusters&, std::uint32_t cluster, const Ray<float>&, std::uint32_t instance,
@@ -47,7 +47,7 @@ struct LeafKernels {
 };
 
 /// `isa` must be usable.
-const LeafKernels& leafKernels(Isa isa);
+STERADIAN_API const LeafKernels& leafKernels(Isa isa);
 
 namespace baseline {
 extern const LeafKernels leafKernels;

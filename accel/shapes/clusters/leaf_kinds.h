@@ -12,8 +12,9 @@
 #include "steradian/accel/shapes/clusters/quad_leaf.h"
 #include "steradian/accel/shapes/clusters/sphere_leaf.h"
 #include "steradian/accel/shapes/clusters/triangle_leaf.h"
+#include "steradian/core/base/api.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 template <class... Kinds>
 struct LeafKindList {

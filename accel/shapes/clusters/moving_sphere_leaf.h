@@ -1,8 +1,9 @@
 #pragma once
 /// Spheres that move along lines, as a leaf kind (leaf.h).
 #include "steradian/accel/shapes/clusters/sphere_leaf.h"
+#include "steradian/core/base/api.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 struct MovingSphereLeaf {
   using Set = SphereSet;

@@ -8,7 +8,7 @@
 #include "steradian/accel/shapes/clusters/leaf_kinds.h"
 #include "steradian/core/transport/surface_point.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// How a point is computed is the leaf kind's (Leaf::point). Meshes and instances add to it what they have beyond the
 /// primitive (accel/surface_points.h).

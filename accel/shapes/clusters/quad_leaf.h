@@ -3,8 +3,9 @@
 #include <optional>
 
 #include "steradian/accel/shapes/clusters/aligned_quad_leaf.h"
+#include "steradian/core/base/api.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 struct QuadLeaf {
   using Set = QuadSet;

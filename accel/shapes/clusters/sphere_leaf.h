@@ -1,8 +1,9 @@
 #pragma once
 /// Spheres at rest, as a leaf kind (leaf.h).
 #include "steradian/accel/shapes/clusters/leaf.h"
+#include "steradian/core/base/api.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 struct SphereLeaf {
   using Set = SphereSet;

@@ -6,7 +6,7 @@
 
 #include "steradian/accel/shapes/primitives/quad.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// A Quad of which u and v have one component each that is not 0, along different axes. (Their reciprocals are finite.)
 struct AlignedQuad {

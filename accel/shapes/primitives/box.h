@@ -3,7 +3,7 @@
 #include "steradian/accel/shapes/primitives/shape_hit.h"
 #include "steradian/core/math/frame.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// The points center + x axes.x + y axes.y + z axes.z with |x| <= half.x and so on.
 template <class F, class Axes>

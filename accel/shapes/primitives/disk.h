@@ -2,7 +2,7 @@
 /// Flat circular disk and its leaf kernel.
 #include "steradian/accel/shapes/primitives/shape_hit.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 template <class F>
 struct Disk {

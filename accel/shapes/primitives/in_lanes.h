@@ -7,7 +7,7 @@
 #include "steradian/accel/shapes/primitives/sphere.h"
 #include "steradian/accel/shapes/primitives/triangle.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 template <class F>
 Sphere<F> inLanes(const Sphere<float>& s) {

@@ -2,7 +2,7 @@
 /// Sphere that moves along a line while the shutter is open ("The Next Week", 2.3), and its leaf kernel.
 #include "steradian/accel/shapes/primitives/sphere.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 template <class F>
 struct MovingSphere {

@@ -2,7 +2,7 @@
 /// Parallelogram and its leaf kernel.
 #include "steradian/accel/shapes/primitives/shape_hit.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// The points corner + s u + t v with s, t in [0, 1]; the normal is along u x v ("The Next Week", 6).
 template <class F>

@@ -10,7 +10,7 @@
 #include "steradian/core/math/bounds.h"
 #include "steradian/core/scene/description.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 Sphere<float> sphereAt(const SphereSet& set, std::size_t i);  ///< at time 0
 MovingSphere<float> movingSphereAt(const SphereSet& set, std::size_t i);

@@ -7,7 +7,7 @@
 /// direction must be finite. A primitive that is all NaN is never hit: clusters fill unused lanes with it.
 #include "steradian/core/math/ray.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 template <class F>
 struct ShapeHit {

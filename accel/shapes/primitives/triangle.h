@@ -2,7 +2,7 @@
 /// Triangle and its leaf kernel.
 #include "steradian/accel/shapes/primitives/shape_hit.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 template <class F>
 struct Triangle {

@@ -6,7 +6,7 @@
 #include "steradian/accel/shapes/sampling/rectangle_directions.h"
 #include "steradian/core/sampling/direction_pdf.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// Surface, m^2.
 template <class F>

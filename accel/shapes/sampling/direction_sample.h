@@ -2,7 +2,7 @@
 /// From densities over a surface to densities over the directions that it is seen in.
 #include "steradian/core/transport/scattering.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// Density per sr of the direction to a point that was chosen with `pdfPosition` per m^2, at `distance` from the viewer
 /// on a plane that passes the viewer at `height` = distance |cos|: pdfPosition distance^2 / |cos|.

@@ -5,7 +5,7 @@
 #include "steradian/core/math/frame.h"
 #include "steradian/core/sampling/warp.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// Surface, m^2 (one side).
 template <class F>

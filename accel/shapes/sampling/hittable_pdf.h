@@ -10,7 +10,7 @@
 #include "steradian/core/base/diagnostics.h"
 #include "steradian/core/sampling/direction_pdf.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// Several shapes of which one is chosen with a probability in proportion to its weight.
 class TargetGroup {

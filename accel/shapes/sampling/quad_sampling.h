@@ -6,7 +6,7 @@
 #include "steradian/accel/shapes/sampling/rectangle_directions.h"
 #include "steradian/core/math/frame.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// Surface, m^2 (one side).
 template <class F>

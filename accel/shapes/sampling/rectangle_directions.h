@@ -2,7 +2,7 @@
 /// Directions towards a rectangle: uniform in solid angle where it is large, by area where it is small.
 #include "steradian/accel/shapes/sampling/direction_sample.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// The rectangle [x0, x1] x [y0, y1] in the plane at distance z >= 0, seen from the origin.
 template <class F>

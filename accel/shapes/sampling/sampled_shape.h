@@ -10,7 +10,7 @@
 #include "steradian/accel/shapes/sampling/quad_sampling.h"
 #include "steradian/accel/shapes/sampling/transformed_shape.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// Directions are sampled as the `*_sampling.h` of the shape says: uniform in the solid angle of what is seen where
 /// that is worth it, else uniform by area. Both sides of a surface are targets; which side emits is the caller's to

@@ -6,7 +6,7 @@
 #include "steradian/accel/shapes/sampling/sampled_shape.h"
 #include "steradian/core/scene/placements.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// Primitive `primitive` of a set. Throws Error (Scene) for custom shapes: they cannot be sampled.
 SampledShape sampledShapeOf(const ShapeGeometry& geometry, std::size_t primitive);

@@ -9,7 +9,7 @@
 #include "steradian/accel/shapes/sampling/sphere_sampling.h"
 #include "steradian/accel/shapes/sampling/triangle_sampling.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// Lanes that are not active may have any sample.
 template <class F>

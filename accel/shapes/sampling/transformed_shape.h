@@ -11,7 +11,7 @@
 #include "steradian/core/math/motion.h"
 #include "steradian/core/transport/scattering.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// An affine map M keeps lines and what is seen along them, so directions are sampled in the shape's own space, where
 /// the visible side has a solid angle in closed form, and are mapped by its linear part. A cone of directions about w

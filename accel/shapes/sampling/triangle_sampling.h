@@ -4,7 +4,7 @@
 #include "steradian/accel/shapes/sampling/direction_sample.h"
 #include "steradian/core/sampling/warp.h"
 
-namespace steradian {
+namespace STERADIAN_API steradian {
 
 /// Surface, m^2 (one side).
 template <class F>

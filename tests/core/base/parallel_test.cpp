@@ -21,7 +21,7 @@ void inArenaOf(int threads, const Work& work) {
 
 TEST(Parallel, EachIndexOnce) {
   for (const int threads : {1, 4}) {
-    for (const std::size_t count : {0, 1, 3, 1000}) {
+    for (const std::size_t count : {0u, 1u, 3u, 1000u}) {
       std::vector<std::atomic<int>> calls(count);
       inArenaOf(threads, [&] { parallelForEach(count, [&](std::size_t i) { ++calls[i]; }); });
       for (const auto& c : calls) EXPECT_EQ(c, 1);
@@ -30,7 +30,7 @@ TEST(Parallel, EachIndexOnce) {
 }
 
 TEST(Parallel, RangesMakeUpTheWhole) {
-  for (const std::size_t count : {0, 1, 64, 1000}) {
+  for (const std::size_t count : {0u, 1u, 64u, 1000u}) {
     std::vector<std::atomic<int>> calls(count);
     inArenaOf(4, [&] {
       parallelForRanges(count, 64, [&](std::size_t begin, std::size_t end) {
