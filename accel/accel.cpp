@@ -8,6 +8,7 @@
 
 #include "steradian/accel/shapes/clusters/flat_primitives.h"
 #include "steradian/core/base/diagnostics.h"
+#include "steradian/core/scene/placements.h"
 
 namespace steradian {
 namespace {
@@ -32,9 +33,6 @@ Accel accelOf(std::string_view name) {
 AccelPlan planAccel(const SceneDescription& scene, const AccelSettings& settings) {
   AccelPlan plan;
   std::size_t triangles = 0, primitives = 0;
-  std::vector<bool> grouped(scene.shapes.size(), false);
-  for (const Group& group : scene.groups)
-    for (const Id shape : group.shapes) grouped[shape] = true;
   for (const ShapeDescription& shape : scene.shapes) {
     const std::size_t count = primitiveCount(shape.geometry);
     primitives += count;
@@ -42,7 +40,8 @@ AccelPlan planAccel(const SceneDescription& scene, const AccelSettings& settings
     if (std::holds_alternative<CustomShapeSet>(shape.geometry)) plan.customShapes += count;
     plan.movingShapes += shape.motion ? 1 : 0;
   }
-  for (const InstanceSet& set : scene.instances) plan.instances += set.transforms.size();
+  const Placements placements(scene);
+  plan.instances = placements.instanceCount();
 
   const Accel asked = settings.accel;
   plan.clusterMeshes = asked == Accel::Bvh8 || asked == Accel::Flat || triangles <= settings.maxClusteredTriangles;
@@ -63,7 +62,7 @@ AccelPlan planAccel(const SceneDescription& scene, const AccelSettings& settings
     const ShapeDescription& shape = scene.shapes[i];
     const bool isLeaf = !std::holds_alternative<CustomShapeSet>(shape.geometry) &&
                         (plan.clusterMeshes || !std::holds_alternative<TriangleMesh>(shape.geometry));
-    if (isLeaf && !grouped[i] && !shape.motion) direct.push_back(i);
+    if (isLeaf && placements.isDirect(i) && !shape.motion) direct.push_back(i);
   }
   const bool flat = settings.maxClustersWithoutTree > 0 && FlatPrimitives::fits(scene, direct);
   plan.accel = flat ? Accel::Flat : Accel::Bvh8;

@@ -54,16 +54,10 @@ Geometry::Implementation::Implementation(std::shared_ptr<const SceneDescription>
   requireUsable(settings.isa);
   statistics.accel = planAccel(*description, settings.accel);
   sources.resize(description->shapes.size());
-  std::vector<bool> grouped(description->shapes.size(), false);
-  for (const Group& group : description->groups) {
-    for (const Id shape : group.shapes) grouped[shape] = true;
-  }
-  std::vector<Id> placed;
-  for (std::size_t i = 0; i < description->shapes.size(); ++i) {
-    count(description->shapes[i].geometry, statistics);
-    if (!grouped[i]) placed.push_back(static_cast<Id>(i));
-  }
-  findMotions();
+  for (const ShapeDescription& shape : description->shapes) count(shape.geometry, statistics);
+  const Placements placements(*description);
+  const std::span<const Id> placed = placements.directShapes();
+  findMotions(placements);
   std::vector<HierarchyPlan> groupPlans;
   for (const Group& group : description->groups) groupPlans.push_back(planOf(group.shapes));
   HierarchyPlan worldPlan = planOf(placed);
@@ -90,7 +84,7 @@ void Geometry::Implementation::addMotion(const Motion& motion, std::vector<std::
   motions.emplace_back(motion);
 }
 
-void Geometry::Implementation::findMotions() {
+void Geometry::Implementation::findMotions(const Placements& placements) {
   for (std::size_t i = 0; i < description->shapes.size(); ++i) {
     const ShapeDescription& shape = description->shapes[i];
     if (!shape.motion) continue;
@@ -98,23 +92,26 @@ void Geometry::Implementation::findMotions() {
     addMotion(*shape.motion, motionOfShape, i);
   }
   if (!motionOfShape.empty()) motionOfShape.resize(description->shapes.size(), kNone);
-  placeInstances();
+  placeInstances(placements);
   dependsOnTime = !motions.empty() || std::any_of(description->shapes.begin(), description->shapes.end(), [](auto& s) {
     const auto* spheres = std::get_if<SphereSet>(&s.geometry);
     return std::holds_alternative<CustomShapeSet>(s.geometry) || (spheres && areMoving(*spheres));
   });
 }
 
-void Geometry::Implementation::placeInstances() {
-  for (const InstanceSet& set : description->instances) {
-    for (std::size_t i = 0; i < set.transforms.size(); ++i) {
-      transforms.push_back(set.transforms[i]);
-      inverses.push_back(inverseOf(set.transforms[i], set.where));
-      if (set.closing.empty() || set.closing[i] == set.transforms[i]) continue;
-      inverseOf(set.closing[i], set.where);  // or an error
-      addMotion({set.transforms[i], set.closing[i]}, motionOfInstance, transforms.size() - 1);
-    }
-  }
+void Geometry::Implementation::placeInstances(const Placements& placements) {
+  transforms.reserve(placements.instanceCount());
+  inverses.reserve(placements.instanceCount());
+  groupOf.reserve(placements.instanceCount());
+  placements.forEachInstance([&](const InstancePlacement& instance) {
+    transforms.push_back(instance.localToWorld());
+    inverses.push_back(inverseOf(instance.localToWorld(), instance.where()));
+    groupOf.push_back(instance.group());
+    const std::optional<Motion> motion = instance.motion();
+    if (!motion) return;
+    inverseOf(motion->close, instance.where());  // or an error
+    addMotion(*motion, motionOfInstance, instance.index);
+  });
   if (!motionOfInstance.empty()) motionOfInstance.resize(transforms.size(), kNone);
   statistics.instances = transforms.size();
 }
@@ -179,9 +176,6 @@ Bounds3 Geometry::Implementation::origins() const {
 
 void Geometry::Implementation::buildHierarchies(const GeometrySettings& settings, std::vector<HierarchyPlan> groupPlans,
                                                 HierarchyPlan worldPlan) {
-  // The group of each instance, and the bounds of all.
-  std::vector<Id> groupOf;
-  for (const InstanceSet& set : description->instances) groupOf.insert(groupOf.end(), set.transforms.size(), set.group);
   bounds = worldPlan.bounds;
   for (std::uint32_t i = 0; i < groupOf.size(); ++i) {
     const MovingTransform* motion = motionOf(motionOfInstance, i);

@@ -7,6 +7,7 @@
 #include "steradian/accel/embree_hierarchy.h"
 #include "steradian/accel/geometry.h"
 #include "steradian/accel/shapes/clusters/flat_primitives.h"
+#include "steradian/core/scene/placements.h"
 
 namespace steradian {
 
@@ -15,6 +16,7 @@ struct Geometry::Implementation {
 
   std::shared_ptr<const SceneDescription> description;
   std::vector<Matrix> transforms, inverses;  ///< of instances; of those that move at time 0
+  std::vector<Id> groupOf;                   ///< of instances
   /// What shapes and instances move by; the numbers of theirs, or kNone. No numbers: none moves.
   std::vector<MovingTransform> motions;
   std::vector<std::uint32_t> motionOfShape, motionOfInstance;
@@ -66,9 +68,9 @@ struct Geometry::Implementation {
   void intersectScene(const Ray<float>& ray, LeafHit& best, EmbreeCounts* counts) const;
 
  private:
-  void findMotions();
+  void findMotions(const Placements& placements);
   void addMotion(const Motion& motion, std::vector<std::uint32_t>& numbers, std::size_t i);
-  void placeInstances();
+  void placeInstances(const Placements& placements);
   /// Which shapes are in a hierarchy, and how.
   embree::HierarchyPlan planOf(std::span<const Id> shapes);
   void addAtRest(Id shape, embree::HierarchyPlan& plan);

@@ -23,7 +23,7 @@ struct PointRecord;
 std::string_view embreeVersion();
 
 struct GeometrySettings {
-  AccelSettings accel;
+  AccelSettings accel = {};
   /// Which code answers queries about the geometry; it must be usable.
   Isa isa = bestIsa();
 };
@@ -54,10 +54,15 @@ class Geometry {
   Geometry& operator=(Geometry&&) noexcept;
 
   /// Nearest hit with tMin < t < tMax. A ray that is not finite, or has no direction, hits nothing.
-  Hit<float> intersect(const Ray<float>& ray) const { return isUsable(ray) ? intersectUsable(ray) : Hit<float>{}; }
+  /// `counts`, if there are any: what Embree does is added to them.
+  Hit<float> intersect(const Ray<float>& ray, EmbreeCounts* counts = nullptr) const {
+    return isUsable(ray) ? intersectUsable(ray, counts) : Hit<float>{};
+  }
   /// Is anything hit with tMin < t < tMax?
-  bool occluded(const Ray<float>& ray) const { return isUsable(ray) && occludedUsable(ray); }
-  /// The same for a ray that is known to be usable (see isUsable()). `counts`: what Embree does is added to it.
+  bool occluded(const Ray<float>& ray, EmbreeCounts* counts = nullptr) const {
+    return isUsable(ray) && occludedUsable(ray, counts);
+  }
+  /// The same for a ray that is known to be usable (see isUsable()).
   Hit<float> intersectUsable(const Ray<float>& ray, EmbreeCounts* counts = nullptr) const;
   bool occludedUsable(const Ray<float>& ray, EmbreeCounts* counts = nullptr) const;
   /// The nearest hits of up to 8 usable rays: with Accel::Embree as one of its packets, otherwise one after the other.

@@ -9,7 +9,7 @@ set(STERADIAN_OBJECT_PROPERTIES
 
 # steradian_layer(NAME GLOBS pattern... [DEPENDS layer...] [LIBRARIES target...])
 # One room as the static library steradian_NAME. LIBRARIES are private: no public header includes them. *_kernels.isa.cpp
-# are compiled once per instruction set, and so is a *_kernels.cpp that has none beside it.
+# are compiled once per instruction set.
 function(steradian_layer name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "GLOBS;DEPENDS;LIBRARIES")
   list(TRANSFORM arg_DEPENDS PREPEND steradian_)
@@ -25,12 +25,9 @@ function(steradian_layer name)
   target_include_directories(steradian_${name} PUBLIC "${PROJECT_BINARY_DIR}/include")
   target_compile_options(steradian_${name} PUBLIC -ffp-contract=off)
   target_compile_definitions(steradian_${name} PRIVATE STERADIAN_ISA=baseline STERADIAN_DISPATCH=${STERADIAN_DISPATCH})
-  list(FILTER sources INCLUDE REGEX "_kernels(\\.isa)?\\.cpp$")
+  list(FILTER sources INCLUDE REGEX "_kernels\\.isa\\.cpp$")
   foreach(source IN LISTS sources)
-    string(REGEX REPLACE "_kernels\\.cpp$" "_kernels.isa.cpp" kernels ${source})
-    if(source STREQUAL kernels OR NOT EXISTS ${kernels})
-      steradian_isa_objects(${name} ${source})
-    endif()
+    steradian_isa_objects(${name} ${source})
   endforeach()
 endfunction()
 

@@ -24,7 +24,7 @@ class PathLanes {
       : scene_(scene),
         plan_(plan),
         counts_(counts),
-        flight_(scene),
+        flight_(scene, counts),
         hasVolumes_(flight_.needed()),
         byLane_(plan.scatterPdf != ScatterPdf::Bsdf) {}
 
@@ -111,7 +111,7 @@ class PathLanes {
   /// The surfaces that the paths' rays meet. (Two returns, as a conditional operator would copy the points.)
   SurfacePoint<F> intersect(PathState<F>& path, const Sampler<F>& sampler, Uint bounce, Mask active,
                             Spectrum<F>& radiance) {
-    if (!hasVolumes_) return scene_.intersect(path.ray, active);
+    if (!hasVolumes_) return scene_.intersect(path.ray, active, &counts_.embree);
     return flight_.traceThroughMedia(path.ray, active, sampler.get2D(bounce, Purpose::FreeFlight), path.throughput,
                                      radiance);
   }
@@ -264,7 +264,7 @@ Spectrum<F> PathLanes<F>::sampleDirectLight(const LightSet& lights, const Vertex
       const Spectrum<F> visible = flight_.shadowTransmittance(vertex.surface, vertex.wo, shadow, sampled);
       sum += select(sampled & !isBlack(visible), f.value * light.weight * visible * weight, Spectrum<F>{});
     } else {
-      const Mask visible = sampled & !scene_.occluded(shadow, sampled);
+      const Mask visible = sampled & !scene_.occluded(shadow, sampled, &counts_.embree);
       sum += select(visible, f.value * light.weight * weight, Spectrum<F>{});
     }
   }

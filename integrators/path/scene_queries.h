@@ -15,10 +15,10 @@ class SceneQueries {
  public:
   SceneQueries(const Scene& scene, PathCounts& counts) : scene_(scene), counts_(counts) {}
 
-  Hit<float> intersect(const Ray<float>& ray) { return scene_.geometry().intersect(ray); }
+  Hit<float> intersect(const Ray<float>& ray) { return scene_.geometry().intersect(ray, &counts_.embree); }
   bool occluded(const Ray<float>& ray) {
     countShadowRay();
-    return scene_.geometry().occluded(ray);
+    return scene_.geometry().occluded(ray, &counts_.embree);
   }
   void countShadowRay() { ++counts_.shadowRays; }
   const Volumes& volumes() const { return scene_.volumes(); }

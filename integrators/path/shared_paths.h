@@ -266,7 +266,8 @@ BsdfValue<F> SharedPaths<F>::connection(const Batch& batch, std::size_t first, s
     const Vec3<F> way = end - start;
     const F distance = length(way);
     counts_.shadowRays += static_cast<std::uint64_t>(std::popcount(laneBits(sees)));
-    sees = sees & !scene_.template occluded<F>({start, way / distance, distance * F(1.0f - 0x1p-21f), from.time}, sees);
+    sees = sees & !scene_.template occluded<F>({start, way / distance, distance * F(1.0f - 0x1p-21f), from.time}, sees,
+                                               &counts_.embree);
   }
   const F perArea = cosine / squared;
   return {select(sees, f.value * perArea * radianceOf(first, shift), Spectrum<F>{}),

@@ -23,7 +23,8 @@ class WideFreeFlight {
   using Mask = MaskOf<F>;
   static constexpr int width = widthOf<F>;
 
-  explicit WideFreeFlight(const WideScene& scene) : scene_(scene), volumes_(scene.scene().volumes()) {}
+  WideFreeFlight(const WideScene& scene, PathCounts& counts)
+      : scene_(scene), volumes_(scene.scene().volumes()), counts_(counts) {}
 
   /// Whether the scene has volumes. If not, rays go straight from surface to surface.
   bool needed() const { return !volumes_.empty(); }
@@ -68,6 +69,7 @@ class WideFreeFlight {
 
   const WideScene& scene_;
   const Volumes& volumes_;
+  PathCounts& counts_;
   InteriorStacks interior_;  ///< that the rays are inside of
   UintOf<F> inside_{0u};     ///< the number of the medium there
   AllCrossings crossings_;
@@ -107,10 +109,10 @@ SurfacePoint<F> WideFreeFlight<F>::traceThroughMedia(Ray<F> ray, Mask active, co
     crossed = crossed | onward;
     return onward;
   };
-  SurfacePoint<F> arrivals = scene_.intersect(ray, active);
+  SurfacePoint<F> arrivals = scene_.intersect(ray, active, &counts_.embree);
   medium_ = volumes_.media().template at<F>(inside_);
   for (Mask left = endSegments(arrivals, medium_, active); any(left);) {
-    const SurfacePoint<F> met = scene_.intersect(ray, left);
+    const SurfacePoint<F> met = scene_.intersect(ray, left, &counts_.embree);
     const Medium<F> medium = volumes_.media().template at<F>(inside_);
     forEachLane(left, [&](int i) { setLane(arrivals, i, lane(met, i)); });
     medium_ = select(left, medium, medium_);
@@ -135,7 +137,7 @@ void WideFreeFlight<F>::scatter(const SurfacePoint<F>& surface, const Vec3<F>& w
 template <class F>
 Spectrum<F> WideFreeFlight<F>::shadowTransmittance(const SurfacePoint<F>& surface, const Vec3<F>& wo, Ray<F> ray,
                                                    Mask lit) {
-  if (!volumes_.passable()) lit = lit & !scene_.occluded(ray, lit);
+  if (!volumes_.passable()) lit = lit & !scene_.occluded(ray, lit, &counts_.embree);
   InteriorStacks interior;  // of the lanes in `own`, whose rays are no longer inside of what they started in
   Mask own = changesInterior(surface, wo, ray.direction, lit);
   UintOf<F> inside = inside_;
@@ -148,7 +150,7 @@ Spectrum<F> WideFreeFlight<F>::shadowTransmittance(const SurfacePoint<F>& surfac
   Mask crossed(false);
   while (any(lit)) {
     SurfacePoint<F> met;
-    if (volumes_.passable()) met = scene_.intersect(ray, lit);
+    if (volumes_.passable()) met = scene_.intersect(ray, lit, &counts_.embree);
     const F length = select(met.valid, met.distance, ray.tMax) - ray.tMin;
     share = select(lit, share * volumes_.media().template at<F>(inside).transmittance(length), share);
     lit = lit & met.valid;

@@ -43,7 +43,7 @@ TEST(SampledShapeAt, MovesWhatMoves) {
   far.setTranslation(Imath::V3f(100.0f, 0.0f, 0.0f));
   farther.setTranslation(Imath::V3f(300.0f, 0.0f, 0.0f));
   const InstanceSet still{0, {far, far}}, moving{0, {far, far}, {far, farther}};
-  const auto in = [](const InstanceSet& set, std::size_t copy) { return InstancePlacement{&set, copy, 0}; };
+  const auto in = [](const InstanceSet& of, std::size_t copy) { return InstancePlacement{&of, copy, 0}; };
   const auto expectCenter = [](const SampledShape& sphere, float time, Vec3f center) {
     for (const Vec2f u : {Vec2f{0.1f, 0.7f}, Vec2f{0.8f, 0.2f}}) {
       const PositionSample<float> p = sphere.samplePosition(u, time);
