@@ -1,4 +1,5 @@
 #include "steradian/accel/shapes/clusters/cluster.h"
+#include "steradian/accel/shapes/clusters/leaf_kinds.h"
 #include "steradian/apps/bench/micro.h"
 #include "steradian/apps/bench/micro_loop.h"
 #include "steradian/core/sampling/warp.h"
@@ -96,7 +97,8 @@ void registerLeaf(const std::string& name) {
   benchmark::RegisterBenchmark(("leaf/" + name + "/any").c_str(), [](benchmark::State& state) {
     const Cluster<Leaf> cluster = fullCluster<Leaf>();
     const std::vector<Ray<float>> rays = raysAtCube();
-    measureRays(state, kInputs, [&](std::size_t i) { return clusterOccludes(cluster, broadcastRay<LeafLanes>(rays[i])); });
+    measureRays(state, kInputs,
+                [&](std::size_t i) { return clusterOccludes(cluster, broadcastRay<LeafLanes>(rays[i])); });
   });
 }
 

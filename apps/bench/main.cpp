@@ -11,6 +11,7 @@
 #include "steradian/apps/bench/options.h"
 #include "steradian/apps/bench/renders.h"
 #include "steradian/apps/bench/samplers.h"
+#include "steradian/apps/bench/structures.h"
 #include "steradian/apps/steradian/exit_codes.h"
 #include "steradian/core/base/diagnostics.h"
 
@@ -28,6 +29,8 @@ void runPart(Part part, const BenchOptions& options) {
       return runSamplers(options);
     case Part::Books:
       return runBooks(options);
+    case Part::Structures:
+      return runStructures(options);
     case Part::Cycles:
       return runCycles(options);
   }

@@ -23,10 +23,11 @@ struct Texts {
 std::vector<Part> partsOf(const Texts& texts) {
   std::vector<Part> parts;
   for (const std::string& part : texts.parts) {
-    parts.push_back(part == "micro"     ? Part::Micro
-                    : part == "renders" ? Part::Renders
-                    : part == "books"   ? Part::Books
-                                        : Part::Samplers);
+    parts.push_back(part == "micro"        ? Part::Micro
+                    : part == "renders"    ? Part::Renders
+                    : part == "books"      ? Part::Books
+                    : part == "structures" ? Part::Structures
+                                           : Part::Samplers);
   }
   if (texts.cycles) parts.push_back(Part::Cycles);
   if (parts.empty()) parts = {Part::Micro, Part::Renders, Part::Books};
@@ -34,10 +35,13 @@ std::vector<Part> partsOf(const Texts& texts) {
 }
 
 void declare(CLI::App& app, Texts& texts, BenchOptions& options) {
-  app.add_option("PART", texts.parts, "micro, renders, books, samplers")
-      ->check(CLI::IsMember({"micro", "renders", "books", "samplers"}));
+  app.add_option("PART", texts.parts, "micro, renders, books, samplers, structures")
+      ->check(CLI::IsMember({"micro", "renders", "books", "samplers", "structures"}));
   app.add_flag("--cycles", texts.cycles, "Compare with Blender's Cycles (needs blender)");
-  app.add_option("--scenes", options.scenes, "Scenes of renders, books, samplers and --cycles")->delimiter(',');
+  app.add_option(
+         "--scenes", options.scenes,
+         "Scenes of renders, books, samplers, structures and --cycles; renders and\nstructures also take mesh-room:N")
+      ->delimiter(',');
   app.add_option("--size", texts.size, "Size of the pictures; default: 300x300, samplers 64x64")->type_name("WxH");
   app.add_option("--spp", texts.samples,
                  "Samples per pixel; default: renders and books 16, --cycles 64, samplers 16, 64 and 256")
@@ -60,7 +64,8 @@ void declare(CLI::App& app, Texts& texts, BenchOptions& options) {
   app.add_option("--repeats", texts.repeats, "Figures are medians of N runs")->type_name("N")->capture_default_str();
   app.add_flag("--equal-time", options.equalTime, "--cycles: ours with as many samples as take the time of Cycles");
   app.add_option("--cycles-script", options.cyclesScript, "The script that Blender runs")->capture_default_str();
-  app.add_flag("--json", options.json, "Print the figures of renders, books, samplers and --cycles as JSON");
+  app.add_flag("--json", options.json,
+               "Print the figures of renders, books, samplers, structures and --cycles as JSON");
 }
 
 }  // namespace

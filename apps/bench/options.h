@@ -8,11 +8,12 @@
 namespace steradian::bench {
 
 enum class Part {
-  Micro,     ///< single routines
-  Renders,   ///< whole renders against the speed of tracing alone
-  Samplers,  ///< whole renders by each sampler: error and time
-  Books,     ///< whole renders beside the books' way to render
-  Cycles     ///< whole renders beside Blender's Cycles
+  Micro,       ///< single routines
+  Renders,     ///< whole renders against the speed of tracing alone
+  Samplers,    ///< whole renders by each sampler: error and time
+  Books,       ///< whole renders beside the books' way to render
+  Structures,  ///< rays of renders, traced by each acceleration structure
+  Cycles       ///< whole renders beside Blender's Cycles
 };
 
 struct BenchOptions {

@@ -6,10 +6,10 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "steradian/apps/bench/bench_scenes.h"
 #include "steradian/apps/bench/machine.h"
 #include "steradian/apps/bench/measure.h"
 #include "steradian/apps/bench/replay.h"
-#include "steradian/apps/scenes/scenes.h"
 #include "steradian/integrators/path/path.h"
 #include "steradian/integrators/render/render.h"
 
@@ -37,7 +37,7 @@ std::unique_ptr<const Scene> build(Threads& threads, const std::string& name, in
   std::vector<double> seconds, geometrySeconds;
   for (int i = 0; i < repeats; ++i) {
     scene.reset();
-    SceneDescription description = makeScene(name);
+    SceneDescription description = benchScene(name);
     seconds.push_back(
         secondsOf([&] { threads.run([&] { scene = std::make_unique<Scene>(std::move(description)); }); }));
     geometrySeconds.push_back(scene->geometry().statistics().buildSeconds);

@@ -22,7 +22,6 @@ class Wall final : public CustomShape {
 
 class Constant final : public RadianceIntegrator {
  public:
-  using RadianceIntegrator::evaluate;
   Rgb radiance(const Scene&, const Ray<float>&, const Sampler<float>&) const override { return grey(0.5f); }
 };
 
