@@ -350,7 +350,7 @@ TEST(Geometry, StatisticsCountWhatIsThere) {
   EXPECT_EQ(s.triangles, 320u);
   EXPECT_EQ(s.custom, 2u);
   EXPECT_GE(s.clusters, 6u * 40u);
-  EXPECT_LE(s.clusters, 6u * 40u + 12u);  // and a few primitives that are giants where they are
+  EXPECT_LE(s.clusters, 6u * 40u + 12u);  // and a few primitives oversized in their clusters
   // 6 to 12 rows of 8 numbers a cluster, and the hierarchy.
   EXPECT_GT(s.bytes, s.clusters * 6 * 32);
   EXPECT_LT(s.bytes, s.clusters * (12 * 32 + 256) + (1u << 18));  // and Embree's of the custom shapes

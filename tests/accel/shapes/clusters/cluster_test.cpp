@@ -149,7 +149,7 @@ TEST(ClusterPartition, ClustersAreCompact) {
   EXPECT_LT(volume, 1.2 * 20.0 * 20.0 * 20.0);
 }
 
-TEST(ClusterPartition, GiantsAreAlone) {
+TEST(ClusterPartition, OversizedPrimitivesAreAlone) {
   Random random(5);
   std::vector<Bounds3> all = randomBounds(random, 500, 11.0f, 0.2f);
   all[123] = {{-1000.0f, -2000.0f, -1000.0f}, {1000.0f, 0.0f, 1000.0f}};
