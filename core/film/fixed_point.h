@@ -102,9 +102,9 @@ inline std::int64_t steps64(double x) {
   return std::bit_cast<std::int64_t>(x + binade) - std::bit_cast<std::int64_t>(binade);
 }
 
-/// The sum of up to 2048 numbers below 2^31 on its way into a FixedPoint128: two 64-bit integers, the upper in steps of
-/// 2^-20, the lower in steps of 2^-64. The result is that of FixedPoint128::from of each number, at a fraction of the
-/// cost, and without a branch.
+/// Accumulates up to 2048 numbers below 2^31 before they are added to a FixedPoint128: two 64-bit integers, the upper
+/// in steps of 2^-20, the lower in steps of 2^-64. The result is that of FixedPoint128::from of each number, at a
+/// fraction of the cost, and without a branch.
 struct ShortSum128 {
   static constexpr int kMaxCount = 2048;
 

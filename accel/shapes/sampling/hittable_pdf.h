@@ -35,7 +35,7 @@ class TargetGroup {
   }
 
   std::span<const SampledShape> shapes() const { return shapes_; }
-  /// /// Whether no shape can be chosen.
+  /// Whether no shape can be chosen.
   bool empty() const { return cumulative_.empty() || cumulative_.back() == 0.0; }
   float probability(std::size_t i) const {
     return static_cast<float>(cumulative_[i] - (i == 0 ? 0.0 : cumulative_[i - 1]));
