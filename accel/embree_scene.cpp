@@ -164,7 +164,7 @@ void occludedByCustom(const RTCOccludedFunctionNArguments* args) {
   });
 }
 
-// // --- Moving copies
+// --- Moving copies
 
 Ray<float> localRay(const MovingGeometry::Item& item, const Ray<float>& ray) {
   return transformed(ray, affineInverse(item.localToWorld->at(ray.time)));

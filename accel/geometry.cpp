@@ -89,7 +89,7 @@ void Geometry::intersectPacket(std::span<const Ray<float>> rays, std::span<Hit<f
   const Implementation& self = *implementation_;
   constexpr std::size_t maxRays = 8;
   if (rays.size() > maxRays || hits.size() < rays.size())
-    throw Error(ErrorKind::Usage, "a packet has at maxRays 8 rays, and a hit for each of them");
+    throw Error(ErrorKind::Usage, "a packet has at most 8 rays, and a hit for each of them");
   if (self.statistics.accel.accel != Accel::Embree || !self.world->queriesScene()) {
     for (std::size_t i = 0; i < rays.size(); ++i) hits[i] = intersectUsable(rays[i], counts);
     return;

@@ -1,5 +1,5 @@
 #pragma once
-/// Reading a command line whose mistakes are told all at once.
+/// Parses a command line and reports all mistakes at once.
 #include <CLI/CLI.hpp>
 #include <optional>
 
