@@ -20,7 +20,7 @@ bool holds(const Bounds3& outer, const Bounds3& inner) {
   return isAtMost(outer.low, inner.low) && isAtMost(inner.high, outer.high);
 }
 
-/// What every tree must be: each thing in one leaf, bounds that hold all below them, no path too long.
+/// Checks the invariants of a tree: each cluster in one leaf, bounds that enclose all below them, no path too long.
 class TreeCheck {
  public:
   TreeCheck(const embree::Device& device, const std::vector<Bounds3>& things, float padding = 0.0f)
@@ -81,7 +81,7 @@ TEST(EmbreeTree, ThingsInOnePlaceMakeNoTreeTooDeep) {
   const Bounds3 one{{0.0f, 0.0f, 0.0f}, {1.0f, 1.0f, 1.0f}};
   const std::vector<Bounds3> same(20000, one);
   TreeCheck(device, same);
-  // Each a third of the one before: no plane parts more than one from the others.
+  // Each a third of the one before: no plane separates more than one from the others.
   std::vector<Bounds3> nested;
   for (float size = 1e30f; size > 1e-30f; size /= 3.0f) nested.push_back({{0.0f, 0.0f, 0.0f}, {size, size, size}});
   TreeCheck(device, nested);
@@ -134,7 +134,7 @@ void expectATreeChangesNoHit(int many) {
     tree.intersect(ray, kNone, hit);
     ASSERT_NO_FATAL_FAILURE(expectSame(hit, expected));
     ASSERT_EQ(tree.occluded(ray), all.occluded(ray));
-    // With a hit found elsewhere before.
+    // With an earlier hit, found elsewhere.
     LeafHit before{random.uniform(1.0f, 8.0f), 0.5f, 0.5f, 2, 7, kNone}, alsoBefore = before;
     all.intersect(ray, kNone, before);
     tree.intersect(ray, kNone, alsoBefore);
@@ -148,7 +148,7 @@ TEST(EmbreeTree, ChangesNoHit) {
   for (const int many : {1, 2, 10}) expectATreeChangesNoHit(many);
 }
 
-// Copies of one quad fill several clusters, whatever the order in which the tree shows them.
+// Copies of one quad fill several clusters, in any order in which the tree is traversed.
 TEST(EmbreeTree, EquallyNearHitsGoToTheSmallestId) {
   SceneDescription scene;
   std::vector<Id> shapes;

@@ -51,7 +51,7 @@ TEST(Geometry, PacketsFindTheHitsOfSingleRays) {
           ASSERT_NO_FATAL_FAILURE(expectSame(geometry.intersect(rays[i]), hits[i]));
       }
     }
-    // Custom shapes are Embree's, so both ask it.
+    // Custom shapes are traversed by Embree, so both use it.
     EXPECT_EQ(counts.rays, 100u * 36u);
     EXPECT_GT(counts.callbacks, 0u);
     std::vector<Ray<float>> nine(9);
@@ -388,7 +388,7 @@ void waitUntilOthersSleep() {
 }
 
 TEST(Geometry, BuildsStayInTheArenaOfTheCaller) {
-  // In an arena of one thread that thread does all the work: what the process computes, it computes.
+  // In an arena of one thread that thread does all the work, so its CPU time is that of the process.
   const auto scene = std::make_shared<SceneDescription>(randomScene(12, 6000));
   tbb::task_arena arena(1);
   arena.execute([&] {
