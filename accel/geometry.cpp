@@ -18,7 +18,7 @@ SurfacePoint<float> Geometry::Implementation::localPoint(const Ray<float>& ray, 
 SurfacePoint<float> Geometry::Implementation::groupPoint(const Ray<float>& ray, const Hit<float>& hit) const {
   const MovingTransform* motion = motionOf(motionOfShape, hit.shape);
   if (!motion) return localPoint(ray, hit);
-  // To the bit what the query computes.
+  // The same bits as in the query.
   const Matrix matrix = motion->at(ray.time), inverse = affineInverse(matrix);
   return transformed(localPoint(transformed(ray, inverse), hit), matrix, inverse);
 }
@@ -139,7 +139,7 @@ Geometry::Placement Geometry::placementOf(const Hit<float>& hit, float time, Mat
   if (hit.instance == kNone && !own) return Placement::Direct;
   if (hit.instance != kNone && own) return Placement::TransformedTwice;
   const MovingTransform* motion = own ? own : self.motionOf(self.motionOfInstance, hit.instance);
-  // To the bit what the query computes.
+  // The same bits as in the query.
   localToWorld = motion ? motion->at(time) : self.transforms[hit.instance];
   worldToLocal = motion ? affineInverse(localToWorld) : self.inverses[hit.instance];
   return Placement::Transformed;

@@ -7,8 +7,7 @@ namespace steradian::bench {
 /// One line: processor, processors that this process may use, widest vectors of the build, compiler, load.
 std::string machineLine();
 
-/// Processes that want to run, averaged over the last minute; negative where unknown. Figures are reliable below about
-/// 1.
+/// Runnable processes, averaged over the last minute; negative where unknown. Figures are reliable below about 1.
 double systemLoad();
 
 }  // namespace steradian::bench

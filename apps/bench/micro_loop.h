@@ -12,7 +12,7 @@
 
 namespace steradian::bench {
 
-/// Names of the counters; they tell the report which unit to use.
+/// Names of the counters, from which the report derives the unit.
 inline constexpr const char* kRayCounter = "rays";
 inline constexpr const char* kCallCounter = "call";
 

@@ -20,7 +20,7 @@ struct TrialResult {
   double raysPerSample = 0.0;  ///< of all kinds
   std::uint32_t samplesPerPixel = 0;
   std::uint64_t samples = 0, nonFinite = 0;
-  double relMse = 0.0;  ///< against the reference of the scene as it is without the change
+  double relMse = 0.0;  ///< against the reference of the unchanged scene
   double mean = 0.0;    ///< luminance
 
   /// Efficiency relative to another's: the inverse ratio of relMSE x seconds.

@@ -16,7 +16,8 @@ namespace STERADIAN_API steradian {
 /// 128 bits in steps of 2^-64: exact for every float of magnitude in [2^-41, 2^63), and within 2^-65 below that.
 ///
 /// The sum of numbers whose magnitudes add up to less than 2^63 is exact. Beyond that it saturates: it becomes +-limit
-/// and stays there, whatever is added. Saturation, too, is independent of the order if no number is negative.
+/// and stays there, regardless of later additions. Saturation, too, is independent of the order if no number is
+/// negative.
 class FixedPoint128 {
  public:
   __extension__ typedef __int128 Steps;  // `using` cannot carry __extension__, which keeps -Wpedantic quiet

@@ -51,8 +51,8 @@ struct UniformHemisphere {
 };
 
 /// Uniform directions of the cone with 1 - cos(theta) <= `oneMinusCosMax`, in [1e-37, 2]; pdf = 1 / (2 pi
-/// oneMinusCosMax). Stable for every angle that floats can tell from zero (Pharr, Jakob & Humphreys, "Physically Based
-/// Rendering", 4th ed., A.5.4, with the complement of the cosine as parameter).
+/// oneMinusCosMax). Stable for every angle that floats distinguish from zero (Pharr, Jakob & Humphreys, "Physically
+/// Based Rendering", 4th ed., A.5.4, with the complement of the cosine as parameter).
 template <class F>
 struct UniformCone {
   F oneMinusCosMax;

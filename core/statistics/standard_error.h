@@ -45,8 +45,8 @@ struct MeanEstimate {
 /// The mean of all samples and its standard error, from the sum and the number of samples of each group.
 ///
 /// With n_g samples and mean m_g in group g, N and m in all: var(m) = sum n_g (m_g - m)^2 / ((G' - 1) N), over the G'
-/// groups that are not empty. This is unbiased for independent samples whatever the n_g, and for independent replicates
-/// of equal n_g whatever the sampler. Source: the between-groups mean square of the one-way analysis of variance.
+/// groups that are not empty. This is unbiased for independent samples with any n_g, and for independent replicates of
+/// equal n_g with any sampler. Source: the between-groups mean square of the one-way analysis of variance.
 inline MeanEstimate meanFromGroups(std::span<const double> sums, std::span<const std::uint32_t> counts) {
   double sum = 0.0;
   MeanEstimate result;

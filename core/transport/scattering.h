@@ -83,7 +83,7 @@ template <class F>
 struct DirectionSample {
   Vec3<F> wi;
   F pdf{0.0f};            ///< per sr; 0: no sample
-  F distance{kInfinity};  ///< to the sampled point, scene units; +inf when the sampler knows directions only
+  F distance{kInfinity};  ///< to the sampled point, scene units; +inf if only a direction was sampled
 };
 
 /// A point on a surface, with its density.

@@ -23,14 +23,14 @@ bool holds(const Bounds3& outer, const Bounds3& inner) {
 /// Checks the invariants of a tree: each cluster in one leaf, bounds that enclose all below them, no path too long.
 class TreeCheck {
  public:
-  TreeCheck(const embree::Device& device, const std::vector<Bounds3>& things, float padding = 0.0f)
-      : tree_(embree::buildTree(device, things, padding)), things_(things), seen_(things.size(), 0) {
-    for (Bounds3& b : things_) {
+  TreeCheck(const embree::Device& device, const std::vector<Bounds3>& clusters, float padding = 0.0f)
+      : tree_(embree::buildTree(device, clusters, padding)), clusters_(clusters), seen_(clusters.size(), 0) {
+    for (Bounds3& b : clusters_) {
       b.low = b.low - Vec3f{padding, padding, padding};
       b.high = b.high + Vec3f{padding, padding, padding};
     }
     check(0, {{-kInfinity, -kInfinity, -kInfinity}, {kInfinity, kInfinity, kInfinity}}, 1);
-    EXPECT_EQ(std::count(seen_.begin(), seen_.end(), 1), static_cast<std::ptrdiff_t>(things.size()));
+    EXPECT_EQ(std::count(seen_.begin(), seen_.end(), 1), static_cast<std::ptrdiff_t>(clusters.size()));
   }
 
  private:
@@ -43,10 +43,10 @@ class TreeCheck {
       if (bounds.empty()) continue;
       EXPECT_TRUE(holds(around, bounds));
       if (node.child[i] & ClusterTree::kLeaf) {
-        const std::uint32_t thing = node.child[i] & ~ClusterTree::kLeaf;
-        ASSERT_LT(thing, things_.size());
-        ++seen_[thing];
-        EXPECT_TRUE(holds(bounds, things_[thing]));
+        const std::uint32_t cluster = node.child[i] & ~ClusterTree::kLeaf;
+        ASSERT_LT(cluster, clusters_.size());
+        ++seen_[cluster];
+        EXPECT_TRUE(holds(bounds, clusters_[cluster]));
       } else {
         EXPECT_GT(node.child[i], number);
         check(node.child[i], bounds, depth + 1);
@@ -55,7 +55,7 @@ class TreeCheck {
   }
 
   const ClusterTree tree_;
-  std::vector<Bounds3> things_;
+  std::vector<Bounds3> clusters_;
   std::vector<int> seen_;
 };
 
@@ -63,12 +63,12 @@ TEST(EmbreeTree, HoldsEachThingOnceWithinItsBounds) {
   const embree::Device device;
   Random random(1);
   for (const std::size_t count : {2u, 8u, 9u, 100u, 5000u}) {
-    std::vector<Bounds3> things(count);
-    for (Bounds3& b : things) {
+    std::vector<Bounds3> clusters(count);
+    for (Bounds3& b : clusters) {
       b.include(random.point(10.0f));
       b.include(b.low + random.point(1.0f));
     }
-    TreeCheck(device, things, 0.01f);
+    TreeCheck(device, clusters, 0.01f);
   }
   EXPECT_TRUE(embree::buildTree(device, {}, 0.0f).nodes.empty());
   const Bounds3 one{{0.0f, 0.0f, 0.0f}, {1.0f, 1.0f, 1.0f}};
