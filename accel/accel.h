@@ -22,12 +22,13 @@ std::string_view nameOf(Accel accel);
 /// Throws Error (Usage) for other names.
 Accel accelOf(std::string_view name);
 
-/// What intersects the rays of one scene. Whatever the choice, Embree also traverses what is instanced, what moves by
-/// a Motion, custom shapes, and meshes that are left to it as its own triangles.
+/// Which code intersects the rays of one scene. With each choice, Embree also traverses instances, shapes that move by
+/// a Motion, custom shapes, and meshes that are kept as its native triangles.
 struct AccelPlan {
-  Accel accel = Accel::Bvh8;   ///< of primitives in clusters; never Auto
-  bool clusterMeshes = false;  ///< else meshes are Embree's own triangles
-  /// What Embree traverses besides: triangles of its own, custom shapes, instances, shapes that move by a Motion.
+  Accel accel = Accel::Bvh8;   ///< for primitives in clusters; never Auto
+  bool clusterMeshes = false;  ///< false: meshes are Embree's native triangles
+  /// Numbers of what Embree traverses in addition: native triangles, custom shapes, instances, shapes that move by a
+  /// Motion.
   std::size_t triangles = 0, customShapes = 0, instances = 0, movingShapes = 0;
 
   bool needsEmbree() const { return triangles + customShapes + instances + movingShapes > 0; }
@@ -35,19 +36,19 @@ struct AccelPlan {
 
 struct AccelSettings {
   Accel accel = Accel::Auto;
-  /// So few clusters are tested one after the other by single rays, without a hierarchy: faster up to there
-  /// (BENCHMARKS.md). With 0 there is always a hierarchy, and nothing is flat unless asked for by name.
+  /// Up to this many clusters a single ray tests each in turn, without a hierarchy, which is faster (BENCHMARKS.md). 0:
+  /// always a hierarchy, and Flat only if chosen by name.
   std::uint32_t maxClustersWithoutTree = 3;
-  /// Meshes are in clusters if a scene has at most this many triangles in all: one hierarchy in place of two.
-  /// Otherwise they are Embree's own. With Bvh8 and Flat they always are in clusters.
+  /// Meshes are in clusters if a scene has at most this many triangles in all: one hierarchy in place of two. Otherwise
+  /// they are Embree's native triangles. With Bvh8 and Flat they always are in clusters.
   std::size_t maxClusteredTriangles = 256;
 };
 
-/// Throws Error (Usage) for a choice that the scene cannot have: Flat for more than 64 primitives, instances, motion or
-/// custom shapes; Bvh8 for custom shapes.
+/// Throws Error (Usage) for a choice that does not support the scene: Flat for more than 64 primitives, instances,
+/// motion or custom shapes; Bvh8 for custom shapes.
 AccelPlan planAccel(const SceneDescription& scene, const AccelSettings& settings = {});
 
-/// For people: "bvh8; Embree: 1000 instances, 1 custom shape".
+/// Text for a report: "bvh8; Embree: 1000 instances, 1 custom shape".
 std::string describe(const AccelPlan& plan);
 
 }  // namespace steradian

@@ -12,14 +12,15 @@ namespace steradian::embree {
 
 inline constexpr const char* kVersion = RTC_VERSION_STRING;
 
-/// What travels with a query to the callbacks. Embree hands its own part on: the first member.
+/// The context that a query passes to the callbacks. Embree's own context is the first member: callbacks get a pointer
+/// to it.
 struct QueryContext {
 #if STERADIAN_EMBREE_MAJOR >= 4
   RTCRayQueryContext embree;
 #else
   RTCIntersectContext embree;
 #endif
-  EmbreeCounts* counts;  ///< null: nobody counts
+  EmbreeCounts* counts;  ///< null: not counted
 
   explicit QueryContext(EmbreeCounts* c) : counts(c) {
 #if STERADIAN_EMBREE_MAJOR >= 4
@@ -31,7 +32,7 @@ struct QueryContext {
   }
 };
 
-/// The counts behind a callback's context, one callback more; null as above.
+/// The counts of a callback's context, after adding this callback; null if not counted.
 template <class Arguments>
 EmbreeCounts* countCallback(const Arguments* args) {
   EmbreeCounts* counts = reinterpret_cast<const QueryContext*>(args->context)->counts;

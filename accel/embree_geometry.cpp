@@ -11,7 +11,7 @@ namespace {
 using embree::Hierarchy;
 using embree::HierarchyPlan;
 
-/// Records of so many primitives are kept: 80 bytes each.
+/// Records are kept for at most this many primitives: 80 bytes each.
 constexpr std::size_t kMaxKeptRecords = 1u << 16;
 
 Vec3f cameraPosition(const CameraDescription& camera) {
@@ -88,7 +88,7 @@ void Geometry::Implementation::findMotions(const Placements& placements) {
   for (std::size_t i = 0; i < description->shapes.size(); ++i) {
     const ShapeDescription& shape = description->shapes[i];
     if (!shape.motion) continue;
-    for (const Matrix& key : {shape.motion->open, shape.motion->close}) inverseOf(key, shape.where);  // or an error
+    for (const Matrix& key : {shape.motion->open, shape.motion->close}) inverseOf(key, shape.where);  // may throw
     addMotion(*shape.motion, motionOfShape, i);
   }
   if (!motionOfShape.empty()) motionOfShape.resize(description->shapes.size(), kNone);

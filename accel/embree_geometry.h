@@ -1,5 +1,5 @@
 #pragma once
-/// What a Geometry is made of: built by embree_geometry.cpp, asked by geometry.cpp.
+/// What a Geometry consists of: built by embree_geometry.cpp, queried by geometry.cpp.
 #include <memory>
 #include <optional>
 #include <vector>
@@ -17,10 +17,11 @@ struct Geometry::Implementation {
   std::shared_ptr<const SceneDescription> description;
   std::vector<Matrix> transforms, inverses;  ///< of instances; of those that move at time 0
   std::vector<Id> groupOf;                   ///< of instances
-  /// What shapes and instances move by; the numbers of theirs, or kNone. No numbers: none moves.
+  /// The motions of shapes and instances; by shape and by instance the index of its motion, or kNone. Empty: none
+  /// moves.
   std::vector<MovingTransform> motions;
   std::vector<std::uint32_t> motionOfShape, motionOfInstance;
-  /// How the points on a shape are found.
+  /// What surface points on a shape are computed from.
   struct ShapeSource {
     const ClusterSet* clusters = nullptr;  ///< that it is in; null for native triangles and custom shapes
     std::uint32_t firstRecord = kNone;     ///< the kept record of place 0 of its clusters, or of its first triangle
@@ -35,7 +36,7 @@ struct Geometry::Implementation {
   bool allRecords = true, recordsKnowUv = true;  ///< see Geometry::recordsByPlace
   std::vector<PointRecord> keptRecords;
   // Destroyed in reverse order: scenes before their device.
-  embree::DeviceOnDemand device;       ///< none if Embree has nothing left to do
+  embree::DeviceOnDemand device;       ///< none if Embree is not needed
   std::optional<FlatPrimitives> flat;  ///< see Geometry::flat
   std::vector<std::unique_ptr<embree::Hierarchy>> groups;
   std::unique_ptr<embree::Hierarchy> world;
@@ -54,17 +55,17 @@ struct Geometry::Implementation {
     const ShapeSource& source = sources[hit.shape];
     return source.firstRecord == kNone ? kNone : source.firstRecord + (source.clusters ? hit.place : hit.primitive);
   }
-  /// The point in the space of the shape, of the group, of the world.
+  /// The surface point in the space of the shape, of the group, of the world.
   SurfacePoint<float> localPoint(const Ray<float>& ray, const Hit<float>& hit) const;
   SurfacePoint<float> groupPoint(const Ray<float>& ray, const Hit<float>& hit) const;
   SurfacePoint<float> worldPoint(const Ray<float>& ray, const Hit<float>& hit) const;
-  /// Embree takes triangles at tMin itself, give or take its rounding: a ray that goes on behind one would hit it
+  /// Embree accepts a triangle at t = tMin, up to its rounding: a ray that continues behind a triangle would hit it
   /// again.
   Ray<float> forEmbree(Ray<float> ray) const {
     if (statistics.accel.triangles > 0) ray.tMin *= 1.0f + 0x1p-20f;
     return ray;
   }
-  /// The nearest hit of Embree's scene of the world, if it is nearer than `best`.
+  /// The nearest hit in the Embree scene of the world, if it is nearer than `best`.
   void intersectScene(const Ray<float>& ray, LeafHit& best, EmbreeCounts* counts) const;
 
  private:
@@ -75,13 +76,13 @@ struct Geometry::Implementation {
   embree::HierarchyPlan planOf(std::span<const Id> shapes);
   void addAtRest(Id shape, embree::HierarchyPlan& plan);
   void cluster(embree::HierarchyPlan& plan);
-  /// Whatever rays start from: the camera, and the surfaces.
+  /// Bounds of all points that rays start from: the camera and the surfaces.
   Bounds3 origins() const;
   void buildHierarchies(const GeometrySettings& settings, std::vector<embree::HierarchyPlan> groupPlans,
                         embree::HierarchyPlan worldPlan);
   void registerClusters(const embree::Hierarchy& hierarchy);
   void fillTriangle(PointRecord& record, Id mesh, std::uint32_t triangle) const;
-  /// Of the smallest sets first, as many as may be kept.
+  /// Keeps records, of the smallest sets first, up to the limit.
   void keepRecords();
 };
 

@@ -5,8 +5,8 @@
 namespace steradian::embree {
 namespace {
 
-/// Embree's non-robust box test, ours of nodes and the kernels differ in rounding; with bounds this much wider all that
-/// may hold a hit is passed, also what is exactly as far as the nearest one.
+/// Embree's non-robust box test, our node test and the kernels round differently. With bounds padded by this much, no
+/// test culls a box that contains a hit, not even one exactly as far as the nearest hit.
 float paddingFor(float magnitude) { return 4.0f * 0x1p-23f * magnitude; }
 
 }  // namespace
@@ -81,14 +81,14 @@ Scene Hierarchy::makeScene(const HierarchyContext& context, std::span<const Id> 
 
 void Hierarchy::intersect(const Ray<float>& ray, std::uint32_t instance, LeafHit& best, EmbreeCounts* counts) const {
   if (walksClusters()) clusters.intersect(ray, instance, best);
-  if (!asksScene()) return;
+  if (!queriesScene()) return;
   LeafHit hit = embree::intersect(scene, ray, counts);
   hit.instance = instance;
   keepFirst(hit, best);
 }
 
 bool Hierarchy::occluded(const Ray<float>& ray, EmbreeCounts* counts) const {
-  return (walksClusters() && clusters.occluded(ray)) || (asksScene() && embree::occluded(scene, ray, counts));
+  return (walksClusters() && clusters.occluded(ray)) || (queriesScene() && embree::occluded(scene, ray, counts));
 }
 
 std::size_t Hierarchy::bytes() const {

@@ -13,7 +13,7 @@ namespace steradian::embree {
 
 /// Which shapes a hierarchy holds, and the clusters of those that are in clusters.
 struct HierarchyPlan {
-  std::vector<Id> meshes;  ///< Embree's own triangles
+  std::vector<Id> meshes;  ///< as Embree's native triangles
   std::vector<Id> custom;
   std::vector<Id> clustered;
   BuiltClusters built;  ///< of `clustered`
@@ -29,7 +29,7 @@ struct HierarchyPlan {
 
 struct Hierarchy;
 
-/// A group at some place, for the hierarchy of the world.
+/// A placed group, for the hierarchy of the world.
 struct Instance {
   const Hierarchy* group;
   const Matrix* localToWorld;
@@ -51,9 +51,9 @@ struct HierarchyContext {
   std::uint32_t firstInstanceId() const { return clustersId() + 3; }
 };
 
-/// Clusters with their own hierarchy, and an Embree scene for what else there is: native triangles, custom shapes,
-/// copies that move, instances; and for the clusters too, where Embree instances or traverses them. It stays where it
-/// is: Embree's scene points into it.
+/// Clusters with their own hierarchy, and an Embree scene for everything else: native triangles, custom shapes, moving
+/// copies, instances; also for the clusters where Embree instances or traverses them. It must not move in memory:
+/// Embree's scene points into it.
 struct Hierarchy {
   /// A group that may be instanced, or a shape that moves. Rays start at points whose coordinates in this space are at
   /// most `magnitude`.
@@ -63,17 +63,18 @@ struct Hierarchy {
   Hierarchy(const Hierarchy&) = delete;
   Hierarchy& operator=(const Hierarchy&) = delete;
 
-  /// Nearest hit: updates `best`, whose hits are in `instance`. Not for the world, where hits of instances have ids.
+  /// Nearest hit: updates `best`, with `instance` as the hit's instance. Not for the world, whose hits carry the ids of
+  /// the instances inside of it.
   void intersect(const Ray<float>& ray, std::uint32_t instance, LeafHit& best, EmbreeCounts* counts) const;
   bool occluded(const Ray<float>& ray, EmbreeCounts* counts) const;
 
-  /// Rays are traced through the clusters by us, besides what Embree's scene holds.
+  /// Whether our own code traverses the clusters, apart from Embree's scene.
   bool walksClusters() const { return clusters.size() > 0 && (!clustersInScene || sceneIsClusters); }
-  /// ... and through Embree's scene.
-  bool asksScene() const { return scene && !sceneIsClusters; }
+  /// Whether Embree traverses its scene.
+  bool queriesScene() const { return scene && !sceneIsClusters; }
 
   std::size_t bytes() const;
-  /// Calls visit(hierarchy) for this hierarchy and those of what moves in it.
+  /// Calls visit(hierarchy) for this hierarchy and those of the moving shapes in it.
   template <class Visit>
   void forEachHierarchy(const Visit& visit) const {
     visit(*this);
@@ -88,7 +89,7 @@ struct Hierarchy {
   MovingGeometry movingGeometry;
   std::vector<std::unique_ptr<Hierarchy>> moving;
   bool clustersInScene = false;
-  /// The scene holds the clusters as one primitive and nothing else: who can, goes to the clusters directly.
+  /// The scene holds the clusters as one primitive and nothing else: queries then traverse the clusters directly.
   bool sceneIsClusters = false;
   Bounds3 bounds;  ///< of all, at all times; without instances
   Scene scene;

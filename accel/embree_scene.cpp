@@ -55,7 +55,7 @@ template <class Intersect>
 bool updateHit(RTCRayHit& rayHit, std::uint32_t instance, const Intersect& intersect) {
   Ray<float> ray = fromEmbree(rayHit.ray);
   LeafHit best = leafHit(rayHit);
-  if (best.found()) ray.tMax = justBeyond(ray.tMax);  // equally near hits must come through
+  if (best.found()) ray.tMax = justBeyond(ray.tMax);  // hits at the same distance compete by their ids
   const LeafHit before = best;
   intersect(ray, instance, best);
   if (best.t == before.t && best.shape == before.shape && best.primitive == before.primitive &&
@@ -69,7 +69,7 @@ bool updateHit(RTCRayHit& rayHit, std::uint32_t instance, const Intersect& inter
   hit.geomID = best.shape;
   hit.primID = best.primitive;
   hit.instID[0] = best.instance;
-  hit.Ng_x = floatOf(best.place);  // nobody needs the normal of user geometry
+  hit.Ng_x = floatOf(best.place);  // the normal of user geometry is not used
   return true;
 }
 
@@ -77,7 +77,7 @@ bool updateHit(RTCRayHit& rayHit, std::uint32_t instance, const Intersect& inter
 template <class Intersect>
 void updateHits(const RTCIntersectFunctionNArguments* args, const Intersect& intersect) {
   const std::uint32_t instance = args->context->instID[0];
-  if (args->N == 1) {  // a block of one is a plain record
+  if (args->N == 1) {  // RTCRayHitN of one ray has the layout of RTCRayHit
     if (args->valid[0]) updateHit(*reinterpret_cast<RTCRayHit*>(args->rayhit), instance, intersect);
     return;
   }
@@ -90,7 +90,7 @@ void updateHits(const RTCIntersectFunctionNArguments* args, const Intersect& int
   }
 }
 
-/// occluded(ray): is Embree's ray occluded? Such rays are traced one at a time.
+/// Marks Embree's ray as occluded if occluded(ray) is true. Occlusion queries are of single rays.
 template <class Occluded>
 void updateOcclusion(const RTCOccludedFunctionNArguments* args, const Occluded& occluded) {
   if (!args->valid[0]) return;
@@ -138,7 +138,7 @@ void occludedByOneCluster(const RTCOccludedFunctionNArguments* args) {
 
 void intersectShape(const CustomGeometry::Item& item, const Ray<float>& ray, std::uint32_t instance, LeafHit& best) {
   const auto hit = item.implementation->intersect(ray);
-  // Someone else's code: hold it to its contract.
+  // User code: its hits may break the contract.
   if (!hit || !(hit->t > ray.tMin && hit->t < ray.tMax)) return;
   keepFirst({hit->t, hit->uv.x, hit->uv.y, item.shape, item.primitive, instance, kNone}, best);
 }
@@ -164,7 +164,7 @@ void occludedByCustom(const RTCOccludedFunctionNArguments* args) {
   });
 }
 
-// --- What moves
+// --- Moving copies
 
 Ray<float> localRay(const MovingGeometry::Item& item, const Ray<float>& ray) {
   return transformed(ray, affineInverse(item.localToWorld->at(ray.time)));

@@ -1,6 +1,6 @@
 #pragma once
-/// Embree's objects as values, and our clusters, custom shapes and what moves as its user geometry. Only files of this
-/// folder see it.
+/// RAII wrappers of Embree's objects, and our clusters, custom shapes and moving copies as its user geometry. Only
+/// files of this folder include it.
 #include <atomic>
 #include <memory>
 #include <mutex>
@@ -15,8 +15,8 @@
 
 namespace steradian::embree {
 
-/// A device of our own: one per Geometry, so that nothing is shared with whoever else uses Embree in the process.
-/// Its errors become exceptions, its memory is counted.
+/// A device of our own, one per Geometry, so that nothing is shared with other users of Embree in the process. Its
+/// errors become exceptions, its memory is counted.
 class Device {
  public:
   Device();
@@ -38,14 +38,14 @@ class Device {
   std::atomic<std::ptrdiff_t> bytes_{0};
 };
 
-/// A device that is made when it is first needed: the smallest scenes do without.
+/// A device that is created on first use: the smallest scenes need none.
 class DeviceOnDemand {
  public:
   const Device& get() {
     if (!device_) device_ = std::make_unique<Device>();
     return *device_;
   }
-  /// Null if it has not been needed.
+  /// Null if it has not been created.
   const Device* made() const { return device_.get(); }
   void release() { device_ = nullptr; }
 
@@ -56,8 +56,8 @@ class DeviceOnDemand {
 /// Clusters as user geometry.
 struct ClusterGeometry {
   const ClusterSet* clusters = nullptr;
-  /// Of each cluster: each is a primitive of Embree. Empty: all of them are one primitive, and have a hierarchy of
-  /// their own. Read while the scene is committed.
+  /// One per cluster: each cluster is one of Embree's primitives. Empty: all clusters together are one primitive, with
+  /// our hierarchy inside of it. Read while the scene is committed.
   std::vector<Bounds3> bounds;
   Bounds3 total;
   float padding = 0.0f;  ///< bounds are this much wider on every side; scene units
@@ -75,14 +75,14 @@ struct CustomGeometry {
 
 struct Hierarchy;
 
-/// Copies that move, each a primitive of user geometry: a ray is traced through each in the copy's own space at the
-/// ray's time. (Embree would interpolate by itself, but with other roundings than surface points have.)
+/// Moving copies, each a primitive of user geometry: a ray is transformed to the copy's own space at the ray's time.
+/// (Embree's own interpolation of transforms would round differently from that of surface points.)
 struct MovingGeometry {
   struct Item {
     const MovingTransform* localToWorld;
     Bounds3 bounds;          ///< at all times
-    const Hierarchy* of;     ///< what is copied
-    std::uint32_t instance;  ///< of hits; kNone: the one that holds the copy itself
+    const Hierarchy* of;     ///< the hierarchy that is copied
+    std::uint32_t instance;  ///< reported with hits; kNone: that of the copy itself
   };
   std::vector<Item> items;
   float padding = 0.0f;  ///< see ClusterGeometry
@@ -117,7 +117,7 @@ class Scene {
   std::unique_ptr<RTCSceneTy, Release> scene_;
 };
 
-/// Nearest hit; ids of instances are those they were attached with. `place` is of no use for native triangles.
+/// Nearest hit; instance ids are those given to attachInstance(). `place` is meaningless for native triangles.
 LeafHit intersect(const Scene& scene, const Ray<float>& ray, EmbreeCounts* counts);
 bool occluded(const Scene& scene, const Ray<float>& ray, EmbreeCounts* counts);
 /// The same for up to 8 rays as one of Embree's packets.

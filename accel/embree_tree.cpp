@@ -8,16 +8,19 @@
 namespace steradian::embree {
 namespace {
 
-/// What Embree's builder makes: a node, or a leaf, which is a number and no pointer.
+/// A node as Embree's builder makes it. A child is a pointer to a node, or a leaf: the number of a cluster, tagged by
+/// bit 0.
 struct Built {
   RTCBounds bounds[ClusterTree::kWidth];
   void* child[ClusterTree::kWidth];
   std::uint32_t count;
 };
 
-void* leafOf(std::uint32_t thing) { return reinterpret_cast<void*>((static_cast<std::uintptr_t>(thing) << 1) | 1u); }
+void* leafOf(std::uint32_t cluster) {
+  return reinterpret_cast<void*>((static_cast<std::uintptr_t>(cluster) << 1) | 1u);
+}
 bool isLeaf(const void* node) { return (reinterpret_cast<std::uintptr_t>(node) & 1u) != 0; }
-std::uint32_t thingOf(const void* leaf) {
+std::uint32_t clusterOf(const void* leaf) {
   return static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(leaf) >> 1);
 }
 
@@ -58,7 +61,7 @@ std::uint32_t append(const Built& from, ClusterTree& tree) {
   for (std::uint32_t i = 0; i < from.count; ++i) {
     const RTCBounds& b = from.bounds[i];
     const float sides[2][3] = {{b.lower_x, b.lower_y, b.lower_z}, {b.upper_x, b.upper_y, b.upper_z}};
-    const std::uint32_t child = isLeaf(from.child[i]) ? thingOf(from.child[i]) | ClusterTree::kLeaf
+    const std::uint32_t child = isLeaf(from.child[i]) ? clusterOf(from.child[i]) | ClusterTree::kLeaf
                                                       : append(*static_cast<const Built*>(from.child[i]), tree);
     ClusterTree::Node& node = tree.nodes[number];
     for (int side = 0; side < 2; ++side)

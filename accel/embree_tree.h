@@ -1,5 +1,5 @@
 #pragma once
-/// Hierarchies that Embree builds and we walk.
+/// Hierarchies that Embree builds and our code traverses.
 #include <span>
 
 #include "steradian/accel/embree_scene.h"
@@ -8,8 +8,8 @@
 
 namespace steradian::embree {
 
-/// A tree over clusters 0 to bounds.size()-1 by the surface-area heuristic; none over fewer than two. Bounds in it are
-/// `padding` wider on every side (scene units). Built by the threads of the caller's arena. Failures are the device's.
+/// A tree over clusters 0 to bounds.size()-1 by the surface-area heuristic; empty for fewer than two. Bounds in it are
+/// `padding` wider on every side (scene units). Built by the threads of the caller's arena. Throws the device's errors.
 ClusterTree buildTree(const Device& device, std::span<const Bounds3> bounds, float padding);
 
 }  // namespace steradian::embree

@@ -18,7 +18,7 @@ SurfacePoint<float> Geometry::Implementation::localPoint(const Ray<float>& ray, 
 SurfacePoint<float> Geometry::Implementation::groupPoint(const Ray<float>& ray, const Hit<float>& hit) const {
   const MovingTransform* motion = motionOf(motionOfShape, hit.shape);
   if (!motion) return localPoint(ray, hit);
-  // As in the query, to the bit.
+  // The same bits as in the query.
   const Matrix matrix = motion->at(ray.time), inverse = affineInverse(matrix);
   return transformed(localPoint(transformed(ray, inverse), hit), matrix, inverse);
 }
@@ -62,7 +62,7 @@ Hit<float> Geometry::intersectUsable(const Ray<float>& ray, EmbreeCounts* counts
   const Implementation& self = *implementation_;
   LeafHit best;
   if (self.world->walksClusters()) self.world->clusters.intersect(ray, kNone, best);
-  if (self.world->asksScene()) self.intersectScene(ray, best, counts);
+  if (self.world->queriesScene()) self.intersectScene(ray, best, counts);
   return hitOf(best);
 }
 
@@ -75,28 +75,28 @@ Hit<float> Geometry::intersectBesideFlat(const Ray<float>& ray, const Hit<float>
   const Implementation& self = *implementation_;
   LeafHit best;
   if (hit.valid) best = {hit.t, hit.u, hit.v, hit.shape, hit.primitive, hit.instance, hit.place};
-  if (self.world->asksScene()) self.intersectScene(ray, best, counts);
+  if (self.world->queriesScene()) self.intersectScene(ray, best, counts);
   return hitOf(best);
 }
 
 bool Geometry::occludedBesideFlat(const Ray<float>& ray, EmbreeCounts* counts) const {
   const Implementation& self = *implementation_;
-  return self.world->asksScene() && embree::occluded(self.world->scene, self.forEmbree(ray), counts);
+  return self.world->queriesScene() && embree::occluded(self.world->scene, self.forEmbree(ray), counts);
 }
 
 void Geometry::intersectPacket(std::span<const Ray<float>> rays, std::span<Hit<float>> hits,
                                EmbreeCounts* counts) const {
   const Implementation& self = *implementation_;
-  constexpr std::size_t most = 8;
-  if (rays.size() > most || hits.size() < rays.size())
+  constexpr std::size_t maxRays = 8;
+  if (rays.size() > maxRays || hits.size() < rays.size())
     throw Error(ErrorKind::Usage, "a packet has at most 8 rays, and a hit for each of them");
-  if (self.statistics.accel.accel != Accel::Embree || !self.world->asksScene()) {
+  if (self.statistics.accel.accel != Accel::Embree || !self.world->queriesScene()) {
     for (std::size_t i = 0; i < rays.size(); ++i) hits[i] = intersectUsable(rays[i], counts);
     return;
   }
   if (rays.empty()) return;
-  Ray<float> shifted[most];
-  LeafHit found[most];
+  Ray<float> shifted[maxRays];
+  LeafHit found[maxRays];
   for (std::size_t i = 0; i < rays.size(); ++i) shifted[i] = self.forEmbree(rays[i]);
   embree::intersectPacket(self.world->scene, std::span(shifted, rays.size()), found, counts);
   for (std::size_t i = 0; i < rays.size(); ++i) {
@@ -108,7 +108,7 @@ void Geometry::intersectPacket(std::span<const Ray<float>> rays, std::span<Hit<f
 SurfacePoint<float> Geometry::surfacePoint(const Ray<float>& ray, const Hit<float>& hit) const {
   if (!hit.valid) return {};
   const Implementation& self = *implementation_;
-  // Most scenes are at rest, and without instances.
+  // The common case: neither instances nor motion.
   const bool local = hit.instance == kNone && self.motionOfShape.empty();
   SurfacePoint<float> point = local ? self.localPoint(ray, hit) : self.worldPoint(ray, hit);
   point.distance = hit.t;
@@ -139,7 +139,7 @@ Geometry::Placement Geometry::placementOf(const Hit<float>& hit, float time, Mat
   if (hit.instance == kNone && !own) return Placement::Direct;
   if (hit.instance != kNone && own) return Placement::TransformedTwice;
   const MovingTransform* motion = own ? own : self.motionOf(self.motionOfInstance, hit.instance);
-  // As in the query, to the bit.
+  // The same bits as in the query.
   localToWorld = motion ? motion->at(time) : self.transforms[hit.instance];
   worldToLocal = motion ? affineInverse(localToWorld) : self.inverses[hit.instance];
   return Placement::Transformed;

@@ -1,5 +1,5 @@
 #pragma once
-/// All surfaces of a scene, and the questions one can ask about rays and them.
+/// All surfaces of a scene, and ray queries against them.
 #include <cstddef>
 #include <memory>
 #include <span>
@@ -24,12 +24,12 @@ std::string_view embreeVersion();
 
 struct GeometrySettings {
   AccelSettings accel = {};
-  /// Which code answers queries about the geometry; it must be usable.
+  /// Instruction set of the code that answers queries; must be usable (core/base/isa.h).
   Isa isa = bestIsa();
 };
 
 struct GeometryStatistics {
-  std::size_t spheres = 0, quads = 0, boxes = 0, disks = 0, triangles = 0, custom = 0;  ///< as described, groups once
+  std::size_t spheres = 0, quads = 0, boxes = 0, disks = 0, triangles = 0, custom = 0;  ///< groups count once
   std::size_t instances = 0;
   std::size_t clusters = 0;
   std::size_t bytes = 0;  ///< clusters, hierarchies and records for points; without the description
@@ -40,21 +40,22 @@ struct GeometryStatistics {
 };
 
 /// Immutable; queries from any number of threads at once. Render tasks hold a FlushDenormals (core/base/float_mode.h)
-/// while they ask. Same bits for any number of threads; for scenes without instances and native triangles also for any
-/// acceleration structure: of equally near hits the smaller (shape, primitive) wins. What moves is hit where it is at
-/// the ray's time; a shape that moves by itself is still placed directly, and its hits have no instance.
+/// during queries. Same bits for any number of threads; for scenes without instances and native triangles also for any
+/// acceleration structure: of equally near hits the one of smaller (shape, primitive) is reported. Moving shapes are
+/// intersected at the ray's time; a shape with a motion of its own still counts as placed directly, and its hits have
+/// no instance.
 class Geometry {
  public:
   /// Builds with the threads of the caller's arena. The description must be valid (see validate) and is kept: surface
   /// points are computed from it. Throws Error: an instruction set that is not usable, an acceleration structure that
-  /// the scene cannot have (see planAccel), singular transforms, custom shapes without finite bounds, no memory.
+  /// does not support the scene (see planAccel), singular transforms, custom shapes without finite bounds, no memory.
   explicit Geometry(std::shared_ptr<const SceneDescription> scene, GeometrySettings settings = {});
   ~Geometry();
   Geometry(Geometry&&) noexcept;
   Geometry& operator=(Geometry&&) noexcept;
 
   /// Nearest hit with tMin < t < tMax. A ray that is not finite, or has no direction, hits nothing.
-  /// `counts`, if there are any: what Embree does is added to them.
+  /// `counts`, unless null: Embree's work is added to it.
   Hit<float> intersect(const Ray<float>& ray, EmbreeCounts* counts = nullptr) const {
     return isUsable(ray) ? intersectUsable(ray, counts) : Hit<float>{};
   }
@@ -75,22 +76,22 @@ class Geometry {
 
   /// With Accel::Flat the few primitives that are in clusters, placed directly and at rest; otherwise null.
   const FlatPrimitives* flat() const;
-  /// Besides flat() there is what Embree traverses: the nearest hit of either, and whether it occludes. `best`: that of
-  /// flat(), if valid.
+  /// Queries against what flat() does not hold and Embree traverses. `best`: the nearest hit of flat(), if valid; the
+  /// nearer of the two is returned.
   Hit<float> intersectBesideFlat(const Ray<float>& ray, const Hit<float>& best, EmbreeCounts* counts) const;
   bool occludedBesideFlat(const Ray<float>& ray, EmbreeCounts* counts) const;
-  /// Whether every hit is on a primitive that is placed directly, at rest and in a cluster, and has all that a point
-  /// needs (uv too, if it is wanted) in the record by its Hit::place.
+  /// Whether every hit is on a primitive that is placed directly, at rest and in a cluster, and the record of its
+  /// Hit::place holds all that a surface point needs (with `withUv`, uv too).
   bool recordsByPlace(bool withUv) const;
   /// Those records, by Hit::place, in scenes of at most 65536 primitives; empty in others, where fillRecord() makes
-  /// them. With kNone for a shape where there is no primitive.
+  /// them. Unused places have the shape kNone.
   std::span<const PointRecord> keptRecords() const;
   /// The record of the primitive that was hit, in its own space; null if it is not kept. `hit`: as for surfacePoint(),
   /// and valid.
   const PointRecord* keptRecord(const Hit<float>& hit) const;
-  /// Makes it; false for custom shapes, which have none.
+  /// Computes that record; false for custom shapes, which have none.
   bool fillRecord(PointRecord& record, const Hit<float>& hit) const;
-  /// How the primitive's own space lies in the world.
+  /// How the primitive's own space is mapped to the world.
   enum class Placement { Direct, Transformed, TransformedTwice };
   /// Sets both matrices if it is Transformed: by an instance, or by a motion of the shape. Twice: by both.
   Placement placementOf(const Hit<float>& hit, float time, Matrix& localToWorld, Matrix& worldToLocal) const;
@@ -102,7 +103,8 @@ class Geometry {
   /// Local to world, by flattened instance index: the instance sets in order, their transforms in order. Of those that
   /// move, at time 0.
   std::span<const Matrix> instanceTransforms() const;
-  /// Whether a ray's time may matter: something moves, or is a custom shape, which may look at it.
+  /// Whether hits may depend on a ray's time: a shape or instance moves, or there is a custom shape, which may use the
+  /// time.
   bool dependsOnTime() const;
   GeometryStatistics statistics() const;
   Isa isa() const;

@@ -7,8 +7,8 @@
 namespace STERADIAN_API steradian {
 
 struct EmbreeCounts {
-  std::uint64_t rays = 0;       ///< that Embree traversed a hierarchy for, those inside of instances included
-  std::uint64_t callbacks = 0;  ///< calls of our code by it: clusters, custom shapes, what moves
+  std::uint64_t rays = 0;       ///< traced by Embree through a hierarchy, rays inside of instances included
+  std::uint64_t callbacks = 0;  ///< from Embree to our code: clusters, custom shapes, moving copies
 
   EmbreeCounts& operator+=(const EmbreeCounts& other) {
     rays += other.rays;

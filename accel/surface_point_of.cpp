@@ -69,7 +69,7 @@ struct LocalPoint {
 
   SurfacePoint<float> operator()(const CustomShapeSet& set) const {
     const Vec3f position = ray.at(hit.t);
-    // Nothing is known about the shape's arithmetic: as much as the longest chain of ours, over all that went in.
+    // The shape's arithmetic is unknown: assume the longest chain of roundings of our own shapes, scaled by the inputs.
     const Vec3f error = (absolute(ray.origin) + absolute(ray.direction * hit.t)) * (kPlaceError + kReachError);
     const auto again = set.shapes[hit.primitive]->intersect(ray);
     const Vec3f normal = again ? again->normal : normalize(-ray.direction);

@@ -16,11 +16,11 @@ namespace STERADIAN_API steradian {
 /// hit's.
 SurfacePoint<float> localSurfacePoint(const ShapeDescription& shape, const Ray<float>& ray, const Hit<float>& hit);
 
-/// The same for a primitive that is at hand.
+/// The same for a primitive that the caller already has.
 SurfacePoint<float> localSurfacePoint(const LeafShape& shape, const Ray<float>& ray, const Hit<float>& hit);
 
-/// What a mesh has for its vertices, at the point of one of its triangles: in `point` uv is barycentric, and becomes
-/// that of the mesh; the shading normal is interpolated. Both in the mesh's own space.
+/// Interpolates a mesh's vertex data at a point of one of its triangles: the barycentric uv of `point` becomes that of
+/// the mesh, and the shading normal is set. Both in the mesh's own space.
 void addVertexData(const TriangleMesh& mesh, std::uint32_t triangle, SurfacePoint<float>& point);
 
 }  // namespace steradian

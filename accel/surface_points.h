@@ -1,5 +1,5 @@
 #pragma once
-/// The surface points of several rays at once, of whatever they hit.
+/// The surface points of several rays at once, on primitives of any kind.
 #include <bit>
 #include <cstdint>
 
@@ -12,15 +12,15 @@
 namespace STERADIAN_API steradian {
 
 /// Collects the hits of the lanes, then finds their points: those of Geometry::surfacePoint, to the bit. Primitives of
-/// all kinds, in instances and in motion, are done with all lanes; vertex normals, uv of meshes and custom shapes one
-/// by one.
+/// all kinds, in instances and in motion, are computed in lanes; vertex normals, uv of meshes and custom shapes one ray
+/// at a time.
 template <class F>
 class SurfacePoints {
  public:
   /// `withUv`: points have uv. The geometry must outlive this.
   SurfacePoints(const Geometry& geometry, bool withUv) : geometry_(geometry), withUv_(withUv) {}
 
-  /// What the ray of lane i hit; valid. `record`: that of the primitive, if it is at hand.
+  /// Adds the hit, which must be valid, of lane i's ray. `record`: the primitive's record, if the caller has it.
   void add(int i, const Ray<float>& ray, const Hit<float>& hit, const PointRecord* record = nullptr) {
     const std::uint32_t bit = 1u << i;
     PointRecord& own = records_[i];
@@ -42,7 +42,7 @@ class SurfacePoints {
     setLane(instance_, i, hit.instance);
   }
 
-  /// The points of all lanes, of which `rays` are the rays; others are not valid.
+  /// The points of all lanes with hits, for the same `rays`; those of other lanes are not valid.
   SurfacePoint<F> find(const Ray<F>& rays) const {
     SurfacePoint<F> points;
     if (kinds_ != 0) points = inWorld(rays);

@@ -32,7 +32,7 @@ template <class M, class F>
 SurfacePoint<F> transformed(const SurfacePoint<F>& local, const M& localToWorld, const M& inverse) {
   SurfacePoint<F> world = local;
   world.position = transformPoint(localToWorld, local.position);
-  // The way here, and the way back that the next query takes with an inverse rounded by itself.
+  // The errors of this transform, and of the next query's transform back by an inverse with a rounding of its own.
   const Vec3<F> back = detail::transformMagnitudes(inverse, world.position) * F(kReachError);
   world.positionError = detail::transformedError(localToWorld, local.positionError + back) +
                         detail::transformMagnitudes(localToWorld, local.position) * F(kPlaceError);

@@ -1,5 +1,5 @@
 # What Steradian links, as imported targets. This file serves the build and, installed beside SteradianConfig.cmake,
-# the users of the package; it asks for nothing that the caller has already found.
+# the users of the package; it looks for nothing that the caller has already found.
 include(CMakeFindDependencyMacro)
 
 # These are looked for by header and library. Debian's package configurations of OpenImageIO and Imath also demand

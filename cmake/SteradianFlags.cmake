@@ -11,10 +11,10 @@ target_compile_options(steradian_flags INTERFACE
   # A shared library calls its own functions, as the static one does, not those that a program puts in their place.
   $<$<CXX_COMPILER_ID:GNU>:-fno-semantic-interposition>
   # Optimising g++ 12 gives these two for correct uses of std::string in aggregates (GCC bugs 105651 and 105562);
-  # clang++ and the sanitizers look for the same faults.
+  # clang++ and the sanitizers check for the same faults.
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict -Wno-maybe-uninitialized>
-  # Lanes wider than the target's registers are passed otherwise than where those are wider: code for different targets
-  # hands no lanes to each other (core/base/isa.h).
+  # The calling convention of lanes wider than a register depends on the target: code for different targets never passes
+  # lanes to each other (core/base/isa.h).
   -Wno-psabi)
 
 if(BUILD_SHARED_LIBS)

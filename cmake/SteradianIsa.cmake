@@ -2,10 +2,10 @@
 #
 # An object compiled for AVX2 also holds inline functions and templates that the baseline objects hold under the same
 # names, as weak symbols: the linker would take either for all. So each such object is linked by itself, which dissolves
-# its groups of weak symbols, and then keeps one global name, that of its table; tests/isa looks that it does.
+# its groups of weak symbols, and then keeps one global name, that of its table; tests/isa checks that.
 
-# The sets beside the baseline as NAME=-march. STERADIAN_ARCH asks for one target alone; so do sanitizers. Other
-# processors and older compilers (clang++ below 18) cannot ask the processor for these sets.
+# The sets beside the baseline as NAME=-march. STERADIAN_ARCH selects one target alone; so do sanitizers. Other
+# processors and older compilers (clang++ below 18) cannot test the processor for these sets.
 set(STERADIAN_ISAS "")
 if(NOT STERADIAN_ARCH AND NOT STERADIAN_SANITIZE)
   include(CheckCXXSourceCompiles)
@@ -56,7 +56,7 @@ function(steradian_isa_objects layer source)
     set_target_properties(${object} PROPERTIES ${STERADIAN_OBJECT_PROPERTIES} INTERPROCEDURAL_OPTIMIZATION OFF)
     target_link_libraries(${object} PRIVATE ${libraries})
     target_include_directories(${object} PRIVATE "${PROJECT_BINARY_DIR}/include")
-    # Unique names, which g++ gives to variables of templates, would stay global whatever is kept.
+    # Unique names, which g++ gives to variables of templates, would stay global even so.
     target_compile_options(${object} PRIVATE ${STERADIAN_HOT_OPTIONS} -ffp-contract=off -fno-lto
       $<$<CXX_COMPILER_ID:GNU>:-fno-gnu-unique> -march=${CMAKE_MATCH_2})
     target_compile_definitions(${object} PRIVATE STERADIAN_ISA=${isa})

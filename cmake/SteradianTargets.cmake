@@ -3,7 +3,7 @@
 # A source for rooms that hold headers only.
 file(CONFIGURE OUTPUT "${PROJECT_BINARY_DIR}/header_only.cpp" CONTENT "// This room has headers only.\n")
 
-# Users link our objects into shared libraries of theirs. What the names are for, core/base/api.h says.
+# Users link our objects into shared libraries of theirs. core/base/api.h explains the visibility of names.
 set(STERADIAN_OBJECT_PROPERTIES
   POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
 

@@ -23,8 +23,8 @@ namespace steradian::bench {
 namespace {
 
 constexpr std::uint32_t kSamplesPerPixel = 16;
-/// Of the pictures that are compared. The books need many to show an error of 2 %: their light comes in rare bright
-/// samples.
+/// Samples per pixel of the pictures that are compared. The books' renderer needs many to reveal an error of 2 %: its
+/// light comes in rare bright samples.
 constexpr std::uint32_t kOurCheckSamples = 64, kTheirCheckSamples = 1024;
 constexpr std::uint32_t kReplicates = 8;
 
@@ -39,11 +39,11 @@ struct Row {
   std::string scene;
   Check check;
   double ours = 0.0, theirs = 0.0;
-  double oursAlike = 0.0;  ///< with their estimator: light is found by chance alone
+  double oursByBsdf = 0.0;  ///< with their estimator: no light sampling
 
   double rateRatio() const { return ours / theirs; }
-  double rateRatioAlike() const { return oursAlike / theirs; }
-  /// How much longer the books' way takes to the same noise.
+  double rateRatioByBsdf() const { return oursByBsdf / theirs; }
+  /// How much longer the books' renderer takes to reach the same noise.
   double timeRatio() const { return rateRatio() * check.theirVariance / check.ourVariance; }
 };
 
@@ -65,7 +65,8 @@ double meanLuminance(const Image& image) {
   return 0.2126 * means[0] + 0.7152 * means[1] + 0.0722 * means[2];
 }
 
-/// Patterns of noise and unfiltered pictures look different there; this is the scene without.
+/// The scene with plain colours in place of noise textures and pictures, which look different there (other noise, no
+/// filtering).
 SceneDescription inPlainColours(SceneDescription scene) {
   for (TextureDescription& texture : scene.textures) {
     const bool isOwn = std::holds_alternative<NoiseTexture>(texture) || std::holds_alternative<ImageTexture>(texture);
@@ -74,13 +75,13 @@ SceneDescription inPlainColours(SceneDescription scene) {
   return scene;
 }
 
-/// Both renderers with one scene.
+/// Both renderers, set up for one scene.
 class Pair {
  public:
   Pair(Threads& threads, const SceneDescription& description, const BenchOptions& options)
       : threads_(threads),
         options_(options),
-        alike_({.strategy = Strategy::Bsdf}),
+        byBsdf_({.strategy = Strategy::Bsdf}),
         world_(books::makeWorld(description)) {
     threads_.run([&] { scene_ = std::make_unique<Scene>(description); });
   }
@@ -108,7 +109,7 @@ class Pair {
 
   double ourRate(std::uint32_t samplesPerPixel) { return rateOf(integrator_, samplesPerPixel); }
   /// With the books' estimator.
-  double ourRateAlike(std::uint32_t samplesPerPixel) { return rateOf(alike_, samplesPerPixel); }
+  double ourRateByBsdf(std::uint32_t samplesPerPixel) { return rateOf(byBsdf_, samplesPerPixel); }
 
   double theirRate(std::uint32_t samplesPerPixel, std::uint32_t seed) {
     const double seconds = secondsOf([&] {
@@ -130,7 +131,7 @@ class Pair {
 
   Threads& threads_;
   const BenchOptions& options_;
-  PathIntegrator integrator_, alike_;
+  PathIntegrator integrator_, byBsdf_;
   books::World world_;
   std::unique_ptr<const Scene> scene_;
 };
@@ -139,15 +140,15 @@ Row measure(Threads& threads, const SceneDescription& description, const BenchOp
   Pair pair(threads, description, options);
   Row row{.scene = description.name, .check = Pair(threads, inPlainColours(description), options).check()};
   const std::uint32_t spp = options.samplesPerPixel.value_or(kSamplesPerPixel);
-  std::vector<double> ours, alike, theirs;
+  std::vector<double> ours, byBsdf, theirs;
   for (int i = 0; i < options.repeats; ++i) {
-    // In turns, so that both see the same moods of the machine.
+    // In turns, so that changes of the machine's speed affect both.
     ours.push_back(pair.ourRate(spp));
-    alike.push_back(pair.ourRateAlike(spp));
+    byBsdf.push_back(pair.ourRateByBsdf(spp));
     theirs.push_back(pair.theirRate(spp, static_cast<std::uint32_t>(i)));
   }
   row.ours = median(ours);
-  row.oursAlike = median(alike);
+  row.oursByBsdf = median(byBsdf);
   row.theirs = median(theirs);
   return row;
 }
@@ -155,7 +156,7 @@ Row measure(Threads& threads, const SceneDescription& description, const BenchOp
 void printRow(const Row& row) {
   const ZTestResult& z = row.check.z;
   fmt::print("| books/{} | {:.3f} | {:.3f} | {:.3f} | {:.1f} | {:.1f} | {:.0f} | {:.4f} | {}, z {:.1f} of {:.1f} |\n",
-             row.scene, row.ours / 1e6, row.oursAlike / 1e6, row.theirs / 1e6, row.rateRatio(), row.rateRatioAlike(),
+             row.scene, row.ours / 1e6, row.oursByBsdf / 1e6, row.theirs / 1e6, row.rateRatio(), row.rateRatioByBsdf(),
              row.timeRatio(), row.check.meanRatio, z.passed ? "same" : "DIFFER", std::fabs(z.worstZ), z.threshold);
   std::fflush(stdout);
 }
@@ -164,9 +165,9 @@ nlohmann::json toJson(const Row& row) {
   return {{"scene", row.scene},
           {"samples_per_second", row.ours},
           {"books_samples_per_second", row.theirs},
-          {"bsdf_samples_per_second", row.oursAlike},
+          {"bsdf_samples_per_second", row.oursByBsdf},
           {"sample_rate_ratio", row.rateRatio()},
-          {"bsdf_sample_rate_ratio", row.rateRatioAlike()},
+          {"bsdf_sample_rate_ratio", row.rateRatioByBsdf()},
           {"equal_noise_time_ratio", row.timeRatio()},
           {"mean_ratio", row.check.meanRatio},
           {"worst_z", row.check.z.worstZ},
@@ -174,7 +175,7 @@ nlohmann::json toJson(const Row& row) {
           {"passed", row.check.z.passed}};
 }
 
-/// What the scene has and the books do not.
+/// Features of the scene that the books' renderer lacks.
 std::string missingFor(const SceneDescription& scene) {
   try {
     books::makeWorld(scene);
@@ -184,7 +185,7 @@ std::string missingFor(const SceneDescription& scene) {
   }
 }
 
-/// Those that exist: scenes of later versions are left out.
+/// Those of the list that exist in this version.
 std::vector<std::string> defaultScenes() {
   std::vector<std::string> scenes;
   for (const char* name : {"next-week-final", "cornell-smoke", "cornell-box", "one-weekend"}) {

@@ -1,5 +1,5 @@
 #pragma once
-/// Textures and materials the way the books have them (see books_objects.h).
+/// Textures and materials as in the books (see books_objects.h).
 #include <array>
 #include <memory>
 
@@ -46,7 +46,7 @@ class Picture final : public Texture {
   ImageTexture texture_;
 };
 
-/// Noise by tables of permutations and of random unit vectors: not the same pattern as Steradian's, but of its kind.
+/// Noise by tables of permutations and of random unit vectors: not Steradian's pattern, but of the same kind.
 class Noise final : public Texture {
  public:
   explicit Noise(const NoiseTexture& texture);
@@ -62,7 +62,7 @@ class Noise final : public Texture {
   std::array<std::array<int, kVectors>, 3> permutations_;
 };
 
-/// What becomes of a ray: what it carries times `attenuation`.
+/// The scattered ray; its radiance is multiplied by `attenuation`.
 struct Scattered {
   Colour attenuation{};
   Ray ray;
@@ -88,7 +88,7 @@ class Lambertian final : public Material {
   const Texture* reflectance_;
 };
 
-/// All directions of the hemisphere alike.
+/// Scatters uniformly over the hemisphere.
 class Hemispherical final : public Material {
  public:
   explicit Hemispherical(const Texture* reflectance) : reflectance_(reflectance) {}

@@ -10,7 +10,7 @@ namespace steradian::bench::books {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
-/// Half the thickness of the bounds of flat things.
+/// Half the thickness of the bounds of flat shapes.
 constexpr double kPadding = 5e-5;
 
 double component(Vec v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
@@ -190,7 +190,7 @@ Bounds Quad::bounds() const {
   return {b.low - padding, b.high + padding};
 }
 
-// --- Several things ---------------------------------------------------------------------------------------------
+// --- Lists and hierarchy ----------------------------------------------------------------------------------------
 
 bool List::hit(const Ray& ray, Interval range, Hit& hit, Random& random) const {
   bool any = false;
@@ -266,7 +266,7 @@ bool ConstantMedium::hit(const Ray& ray, Interval range, Hit& hit, Random& rando
   if (flight > (to - from) * length) return false;
   hit.t = from + flight / length;
   hit.position = ray.at(hit.t);
-  hit.normal = {1.0, 0.0, 0.0};  // particles do not look at it
+  hit.normal = {1.0, 0.0, 0.0};  // arbitrary: phase functions ignore it
   hit.front = true;
   hit.material = particles_;
   return true;

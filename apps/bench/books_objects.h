@@ -1,7 +1,7 @@
 #pragma once
-/// Shapes the way "Ray Tracing: The Next Week" has them: double precision, one ray at a time, virtual calls. Written
-/// afresh after the book's text, as what Steradian is measured against; where the book is slower than it has to be by
-/// its own lights (reference counts per hit, rand()), this is not.
+/// Shapes as in "Ray Tracing: The Next Week": double precision, one ray at a time, virtual calls. Written anew after
+/// the book's text, as the renderer that Steradian is compared with; needless costs of the book's program (reference
+/// counts per hit, rand()) are avoided.
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -61,7 +61,7 @@ struct Hit {
   void setNormal(const Ray& ray, Vec outward);
 };
 
-/// An axis-aligned box around things.
+/// An axis-aligned bounding box.
 struct Bounds {
   Vec low{kFar, kFar, kFar}, high{-kFar, -kFar, -kFar};
 
@@ -104,7 +104,7 @@ class Quad final : public Hittable {
   const Material* material_;
 };
 
-/// Asks them all.
+/// /// Tests each object in turn.
 class List final : public Hittable {
  public:
   explicit List(std::vector<Object> objects) : objects_(std::move(objects)) {}

@@ -8,7 +8,7 @@
 namespace steradian::bench::books {
 namespace {
 
-/// Rays do not meet what is nearer: they would meet the surface that they leave.
+/// Nearer hits are ignored: they would be on the surface that the ray leaves.
 constexpr double kNearest = 0.001;
 
 class Lens {

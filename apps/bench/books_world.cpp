@@ -9,7 +9,7 @@
 namespace steradian::bench::books {
 namespace {
 
-/// Lists of more objects become hierarchies.
+/// Longer lists become hierarchies.
 constexpr std::size_t kLongList = 16;
 
 [[noreturn]] void throwMissing(const std::string& what) {
@@ -132,7 +132,7 @@ const Material* WorldBuilder::makeMaterial(const MaterialModel& model) {
   throwMissing("coats");
 }
 
-/// Lights do nothing but shine.
+/// Lights only emit.
 const Material* WorldBuilder::lightOf(const ShapeDescription& shape) {
   const bool isBlack =
       shape.material == kNone || (shape.primitiveMaterials.empty() &&
@@ -204,7 +204,7 @@ void WorldBuilder::addShape(const ShapeDescription& shape, std::vector<Object>& 
 void WorldBuilder::addInstances(const Placements& placements, std::vector<Object>& to) {
   placements.forEachInstance([&](const InstancePlacement& instance) {
     if (instance.motion()) throwMissing("moving instances");
-    std::vector<Object> objects;  // of their own for each instance: the books share them, which no ray notices
+    std::vector<Object> objects;  // one copy per instance; the books share them, at the same cost per ray
     for (const Id shape : placements.shapesOf(instance)) addShape(scene_.shapes[shape], objects);
     if (!objects.empty()) to.push_back(Placement::of(instance.localToWorld())(together(std::move(objects))));
   });

@@ -24,9 +24,8 @@ struct World {
   int maxDepth = 50;  ///< rays of a path, at most
 };
 
-/// Spheres (moving too), quads, boxes turned about y, groups and instances of these, what the books' materials and
-/// textures can do, media that scatter to all sides alike and weaken all colours alike, constant and linear skies.
-/// Throws Error (Usage) for what the books do not have.
+/// Spheres (moving too), quads, boxes turned about y, groups and instances of these, materials and textures that the
+/// books have, isotropic grey media, constant and linear skies. Throws Error (Usage) for anything else.
 World makeWorld(const SceneDescription& scene);
 
 }  // namespace steradian::bench::books

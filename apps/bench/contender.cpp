@@ -22,7 +22,7 @@ std::string shellWord(const std::string& text) {
   return word + "'";
 }
 
-/// The last line with anything on it: where programs say what was wrong.
+/// The last line that is not empty: usually the error message.
 std::string lastLine(const std::string& text) {
   const std::size_t end = text.find_last_not_of(" \n\r");
   if (end == std::string::npos) return "it said nothing";

@@ -1,5 +1,5 @@
 #pragma once
-/// Renderers that a comparison sets side by side.
+/// Renderers that take part in a comparison.
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -18,7 +18,7 @@ struct TimedPicture {
   double seconds;
 };
 
-/// One renderer with one scene.
+/// One renderer, set up for one scene.
 class Contender {
  public:
   virtual ~Contender() = default;
@@ -26,7 +26,7 @@ class Contender {
   virtual TimedPicture render(std::uint32_t samplesPerPixel, std::uint32_t seed) = 0;
 };
 
-/// Ours: the path integrator as it is by default, but that `reuse` pixels share paths.
+/// Ours: the path integrator with its defaults, except that `reuse` pixels share paths.
 class Steradian final : public Contender {
  public:
   Steradian(const SceneDescription& scene, const BenchOptions& options, std::uint32_t reuse);
@@ -47,7 +47,7 @@ class Cycles final : public Contender {
   Cycles(const SceneDescription& scene, const BenchOptions& options, std::filesystem::path folder);
   TimedPicture render(std::uint32_t samplesPerPixel, std::uint32_t seed) override;
 
-  /// Whether there is a Blender to be run.
+  /// Whether Blender is installed.
   static bool available();
 
  private:

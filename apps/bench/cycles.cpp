@@ -48,8 +48,8 @@ struct Result {
   double seconds, samplesPerSecond, relMse, efficiency, mean;
 };
 
-/// One renderer's reference, and its runs so far. Its error is that against its own reference: modelling a scene a
-/// little differently shall not count as noise.
+/// One renderer's reference, and its runs so far. Its error is measured against its own reference, so that small
+/// differences in modelling a scene do not count as noise.
 class Entrant {
  public:
   /// `samples`: of each half of the reference.
@@ -77,7 +77,7 @@ class Entrant {
 
  private:
   static app::Reference makeReference(Contender& contender, std::uint32_t samplesPerPixel) {
-    constexpr std::uint32_t seed = 1000;  // that no run has
+    constexpr std::uint32_t seed = 1000;  // of no run
     const Image first = contender.render(samplesPerPixel, seed).image;
     return app::Reference(first, contender.render(samplesPerPixel, seed + 1).image);
   }
@@ -88,7 +88,7 @@ class Entrant {
   std::vector<double> seconds_, rates_, errors_, efficiencies_;
 };
 
-/// Ours, with one of the options' numbers of pixels that share paths.
+/// Ours, with one of the numbers of pixels that share paths (BenchOptions::reuse).
 struct Ours {
   std::uint32_t reuse;
   std::unique_ptr<Steradian> renderer;
@@ -117,7 +117,7 @@ std::vector<Comparison> compare(const std::string& name, const BenchOptions& opt
   std::vector<Ours> all;
   for (const std::uint32_t reuse : options.reuse) {
     Ours& ours = all.emplace_back(Ours{reuse, std::make_unique<Steradian>(scene, options, reuse), 0.0, nullptr});
-    double longer = 1.0;  // than theirs: our reference
+    double longer = 1.0;  // our reference, relative to theirs
     if (options.equalTime) {
       ours.secondsPerSample = ours.renderer->render(spp, trialSeed).seconds / spp;
       longer = std::max(1.0, trial / (ours.secondsPerSample * spp));

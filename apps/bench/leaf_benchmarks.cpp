@@ -7,7 +7,7 @@
 namespace steradian::bench {
 namespace {
 
-/// Primitives in the unit cube, from the random numbers that it is given in order.
+/// Random primitives in the unit cube; the random numbers are given in order.
 class Numbers {
  public:
   explicit Numbers(std::uint32_t stream) : random_(0, 0, stream, 0x6c656166) {}
@@ -25,7 +25,7 @@ class Numbers {
   RandomStream random_;
 };
 
-/// Of about a fifth of the cube's edge: a ray meets one or two of 16.
+/// About a fifth of the cube's edge: a ray hits one or two of 16.
 constexpr float kSize = 0.2f;
 
 void make(Numbers& n, Sphere<float>& s) { s = {n.point(), n.in(0.5f, 1.0f) * kSize}; }

@@ -1,5 +1,5 @@
 #pragma once
-/// What figures were measured on.
+/// The machine that figures were measured on.
 #include <string>
 
 namespace steradian::bench {
@@ -7,8 +7,7 @@ namespace steradian::bench {
 /// One line: processor, processors that this process may use, widest vectors of the build, compiler, load.
 std::string machineLine();
 
-/// Processes that want to run, averaged over the last minute; negative where the system does not tell. Figures are to
-/// be trusted below about 1.
+/// Runnable processes, averaged over the last minute; negative where unknown. Figures are reliable below about 1.
 double systemLoad();
 
 }  // namespace steradian::bench

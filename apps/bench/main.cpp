@@ -1,4 +1,4 @@
-/// The program `steradian-bench`: how fast things are. BENCHMARKS.md explains what is measured.
+/// The program `steradian-bench`: measures speed. BENCHMARKS.md explains what is measured.
 #include <fmt/format.h>
 
 #include <CLI/Error.hpp>

@@ -26,7 +26,7 @@ inline double median(std::vector<double> values) {
   return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
 }
 
-/// While it lives, run() works with so many threads.
+/// While it lives, run() uses this many threads.
 class Threads {
  public:
   explicit Threads(int count)

@@ -12,7 +12,7 @@
 
 namespace steradian::bench {
 
-/// Names of the counters by which the report knows the unit.
+/// Names of the counters, from which the report derives the unit.
 inline constexpr const char* kRayCounter = "rays";
 inline constexpr const char* kCallCounter = "call";
 
@@ -27,21 +27,21 @@ double repeat(benchmark::State& state, std::size_t count, Call&& call) {
   return static_cast<double>(state.iterations()) * static_cast<double>(count);
 }
 
-/// Each call traces one ray; told in rays per second.
+/// Each call traces one ray; reported in rays per second.
 template <class Call>
 void measureRays(benchmark::State& state, std::size_t count, Call&& call) {
   const double rays = repeat(state, count, std::forward<Call>(call));
   state.counters[kRayCounter] = benchmark::Counter(rays, benchmark::Counter::kIsRate);
 }
 
-/// Each call gives `each` results; told in seconds per result.
+/// Each call gives `each` results; reported in seconds per result.
 template <class Call>
 void measureCalls(benchmark::State& state, std::size_t count, std::size_t each, Call&& call) {
   const double results = repeat(state, count, std::forward<Call>(call)) * static_cast<double>(each);
   state.counters[kCallCounter] = benchmark::Counter(results, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 
-/// Enough for predictors not to learn them, and few enough for the first cache.
+/// Too many for branch predictors to learn, few enough for the L1 cache.
 inline constexpr std::size_t kInputs = 1024;
 
 /// Numbers in [0, 1), the same in every run.

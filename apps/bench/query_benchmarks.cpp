@@ -17,7 +17,7 @@ namespace {
 enum Generation : std::size_t { kCamera, kBounce1, kBounce2, kShadow1, kGenerations };
 constexpr std::array<const char*, kGenerations> kNames{"camera", "bounce-1", "bounce-2", "shadow-1"};
 
-/// A scene and the first rays of its paths, made when first asked for: a filter may select none of them.
+/// A scene and the first rays of its paths, made on first use: a filter may select none of them.
 class Workload {
  public:
   explicit Workload(std::string scene) : name_(std::move(scene)) {}
@@ -68,7 +68,7 @@ void measureGeneration(benchmark::State& state, Workload& workload, Generation g
   }
 }
 
-/// Boxes that fill a cube at random, in so many clusters, without a hierarchy or with one, and rays from within.
+/// Random boxes in a cube, in this many clusters, with a hierarchy or without, and rays from within.
 void measureLayout(benchmark::State& state, std::uint32_t clusters, bool hierarchy) {
   const std::uint32_t count = clusters * kClusterSize;
   const auto number = [](std::uint32_t i, std::uint32_t k) { return toUnitFloat<float>(randomWords(i, k, 0u, 0u)[0]); };

@@ -17,7 +17,7 @@ namespace steradian::bench {
 namespace {
 
 constexpr std::uint32_t kSamplesPerPixel = 16;
-/// Rays of more samples than these are not kept: they take about 300 bytes a sample.
+/// Rays are recorded for at most this many samples: they take about 300 bytes a sample.
 constexpr std::uint64_t kMaxRecordedSamples = 1'500'000;
 
 /// Rates are per second of all threads together.
@@ -59,7 +59,7 @@ RenderSettings settingsFor(const BenchOptions& options) {
   return settings;
 }
 
-/// As many of the render's rays as there is room for: those of its first samples.
+/// The rays of the render's first samples, as many as there is room for.
 std::vector<RecordedRay> recordFor(const Scene& scene, RenderSettings settings) {
   const std::uint64_t pixels =
       static_cast<std::uint64_t>(*settings.width) * static_cast<std::uint64_t>(*settings.height);
@@ -75,7 +75,7 @@ Row measure(Threads& threads, const std::string& name, const BenchOptions& optio
   const std::vector<RecordedRay> rays = recordFor(*scene, settings);
   std::vector<double> samples, rendered, traced;
   for (int i = 0; i < options.repeats; ++i) {
-    // In turns, so that both see the same moods of the machine.
+    // In turns, so that changes of the machine's speed affect both.
     const RenderStatistics statistics =
         threads.run([&] { return render(*scene, PathIntegrator(), settings); }).statistics;
     const PathCounts& paths = statistics.paths;

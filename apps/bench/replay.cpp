@@ -27,7 +27,7 @@ std::uint64_t countHits(const Geometry& geometry, std::span<const RecordedRay> r
   return hits;
 }
 
-/// Rays of one kind of query, until there is one for each lane.
+/// Collects rays of one kind of query until there is one for each lane.
 template <class Query>
 class Packet {
  public:

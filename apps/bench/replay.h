@@ -1,5 +1,5 @@
 #pragma once
-/// How fast rays can be traced if nothing else is done.
+/// The speed of tracing rays alone.
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -9,9 +9,9 @@
 
 namespace steradian::bench {
 
-/// Asks the geometry about all rays in their order, cut into runs that the caller's arena shares out as a render does
-/// its tiles; `several`: several rays at once where the geometry can, as the wide path integrator does. Returns the
-/// number of hits, so that no query is in vain.
+/// Traces all rays in their order, cut into runs that are distributed in the caller's arena as tiles are in a render;
+/// `several`: several rays at once where the geometry can, as the wide path integrator does. Returns the number of
+/// hits, so that no query can be optimised away.
 std::uint64_t replay(const Geometry& geometry, std::span<const RecordedRay> rays, bool several);
 
 }  // namespace steradian::bench

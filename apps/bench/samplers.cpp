@@ -19,7 +19,7 @@ namespace steradian::bench {
 namespace {
 
 constexpr std::uint32_t kReferenceSamples = 1024;
-constexpr std::uint32_t kReferenceSeed = 1000;  // that no run has
+constexpr std::uint32_t kReferenceSeed = 1000;  // of no run
 
 /// One sampler with one scene and one number of samples.
 struct Cell {
@@ -54,7 +54,7 @@ Table measure(Threads& threads, const Scene& scene, const BenchOptions& options,
   for (std::size_t c = 0; c < counts.size(); ++c) {
     std::array<std::vector<double>, kSamplerTypes.size()> seconds;
     for (int i = 0; i < options.repeats; ++i) {
-      // In turns, so that all see the same moods of the machine.
+      // In turns, so that changes of the machine's speed affect all.
       for (std::size_t s = 0; s < kSamplerTypes.size(); ++s) {
         const RenderResult result =
             renderWith(threads, scene, options, kSamplerTypes[s], counts[c], static_cast<std::uint32_t>(i));

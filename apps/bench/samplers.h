@@ -1,5 +1,5 @@
 #pragma once
-/// Samplers side by side: what error they leave, and what it costs.
+/// Compares samplers: their error, and their cost.
 #include "steradian/apps/bench/options.h"
 
 namespace steradian::bench {

@@ -56,7 +56,7 @@ void registerLights(const std::string& name, Vec3f center, float half) {
   });
 }
 
-/// Runs of so many samples at a time, as passes of that length add them.
+/// Adds samples in runs of this length, as passes of that length do.
 void registerFilm(std::size_t run) {
   benchmark::RegisterBenchmark(("film/add-samples/" + std::to_string(run)).c_str(), [run](benchmark::State& state) {
     constexpr int kSide = 128;

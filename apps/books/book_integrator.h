@@ -1,5 +1,5 @@
 #pragma once
-/// The books' ray_color where it is wrong: what the pictures need and the product must not have.
+/// The books' ray_color with its mistakes: needed for some of their pictures, and kept out of the library.
 #include "steradian/integrators/render/integrator.h"
 
 namespace steradian::books {
@@ -8,10 +8,10 @@ enum class Mistake {
   None,                ///< the picture is rendered as its command says
   UniformDenominator,  ///< "The Rest of Your Life", listing 20: directions have the material's density, but are divided
                        ///< by 1 / 2 pi
-  AlwaysRefracts       ///< "In One Weekend", listings 72 and 76: what can be refracted is
+  AlwaysRefracts       ///< "In One Weekend", listings 72 and 76: refracts wherever it can
 };
 
-/// Follows the material without sampling lights and without roulette, as deep as the scene says, and makes one mistake.
+/// Follows the material without sampling lights and without roulette, to the depth of the scene, with one mistake.
 class BookIntegrator final : public RadianceIntegrator {
  public:
   explicit BookIntegrator(Mistake mistake) : mistake_(mistake) {}

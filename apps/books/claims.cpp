@@ -11,7 +11,7 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-/// What the claims share: where pictures go, and the references.
+/// What the claims share: the folder of their pictures, and the references.
 struct Bench {
   std::filesystem::path folder;
   Effort effort;
@@ -83,7 +83,7 @@ std::string mixtureReducesNoise(Bench& bench) {
 }
 
 std::string boxAsTarget(Bench& bench) {
-  // The ceiling above the aluminium box, where its mirror throws the light.
+  // The ceiling above the aluminium box, where its mirror casts light.
   const auto ceiling = [](const char* strategy, const char* target) {
     return command("cornell-aluminium", {"--strategy", strategy, "--target", target, "--crop", "60,180,18,60"});
   };
@@ -113,7 +113,7 @@ std::string shadowRays(Bench& bench) {
                           : runFor(results.front().seconds, trials.back(), bench.measurer, bench.effort, bench.folder));
     bench.add(results.back());
   }
-  // The page's commands have the samples that were taken.
+  // The commands on the page name the numbers of samples that were taken.
   for (std::size_t i = 0; i < trials.size(); ++i) trials[i].command[5] = std::to_string(results[i].samplesPerPixel);
   return "<p>Chapter 11 mentions 1, 4, 8 or 16 shadow rays at each bounce. In the same time, with fewer paths for more "
          "rays:</p>\n" +

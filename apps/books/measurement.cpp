@@ -11,7 +11,7 @@
 namespace steradian::books {
 namespace {
 
-// No picture has these.
+// // Seeds that no picture has.
 constexpr std::uint32_t kReferenceSeed = 1000, kDefaultSeed = 2000;
 
 Rendering byDefault(const Scene& scene, const RenderSettings& like, std::uint32_t samples, std::uint32_t seed) {

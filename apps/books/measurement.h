@@ -1,5 +1,6 @@
 #pragma once
-/// How good a picture is: against a reference of its scene, and against what the default settings make in its time.
+/// The quality of a picture: its error against a reference of its scene, and its efficiency relative to the default
+/// settings.
 #include <map>
 #include <optional>
 #include <string>
@@ -12,8 +13,8 @@ namespace steradian::books {
 struct Measurement {
   double relMse = 0.0;         ///< against the reference, whose own noise is subtracted
   double defaultRelMse = 0.0;  ///< of the default settings in about the same time
-  /// Efficiency, 1 / (relMSE x seconds), over that of the default settings; nothing if either error cannot be told from
-  /// the reference's.
+  /// Efficiency, 1 / (relMSE x seconds), over that of the default settings; empty if either error is within that of the
+  /// reference.
   std::optional<double> ratio;
   double bias = 0.0;       ///< mean luminance over that of the reference, less 1
   double biasError = 0.0;  ///< its standard error
@@ -27,7 +28,7 @@ class Measurer {
   /// relMSE against the reference of the scene that `rendering` should have shown; the reference's own noise is
   /// subtracted.
   double relMse(const Rendering& rendering, const std::string& sceneName);
-  /// Renders what it needs to compare with.
+  /// Renders what it compares with.
   Measurement measure(const Rendering& rendering, const std::string& sceneName);
 
  private:

@@ -12,9 +12,9 @@ struct NumberedPicture {
   std::string title;                 ///< "Image 4: what is new in it"
   std::string section;               ///< of the book
   std::vector<std::string> command;  ///< for `steradian`: render, a scene, options; -o left out
-  std::string note;                  ///< HTML: what is to be seen, or where we differ from the book
+  std::string note;                  ///< HTML: what the picture shows, or where we differ from the book
   Mistake mistake = Mistake::None;
-  std::string bias{};     ///< why its expectation is not that of its scene; empty: it is
+  std::string bias{};     ///< why its expected value is not that of its scene; empty: unbiased
   bool enlarged = false;  ///< some pixels of a picture, to be shown larger
 
   std::string file() const { return id + ".png"; }

@@ -1,5 +1,5 @@
 #pragma once
-/// Renders what a command says, in this process.
+/// Executes a render command in this process.
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -14,15 +14,15 @@ namespace steradian::books {
 
 /// How much of the work is done.
 struct Effort {
-  bool quick = false;  ///< small pictures of few samples: to see that everything works
+  bool quick = false;  ///< small pictures of few samples, as a quick check
 
-  /// Options that overrule those of a command, as the last ones count.
+  /// Options that, put last, override those of a command.
   std::vector<std::string> overrules() const;
   /// Of each half of a reference, per pixel.
   std::uint32_t referenceSamples() const { return quick ? 64 : 256; }
 };
 
-/// What `steradian` would make of the words, "render" first. Throws Error (Usage) as it does.
+/// Parses the words, "render" first, as `steradian` does. Throws Error (Usage) as it does.
 app::RenderOptions parseRender(const std::vector<std::string>& words);
 /// The options of a picture.
 app::RenderOptions optionsOf(const NumberedPicture& picture, const Effort& effort);
@@ -36,11 +36,11 @@ struct Rendering {
   double samplesPerSecond() const { return static_cast<double>(statistics.samples) / seconds(); }
 };
 
-/// Of the path integrator and the settings that the options say, or of an integrator given.
+/// Renders with the path integrator and settings of the options, or with the given integrator.
 Rendering renderScene(const Scene& scene, app::RenderOptions options, const Integrator* integrator = nullptr);
 /// Builds the scene first; with the picture's mistake.
 Rendering renderPicture(const NumberedPicture& picture, const Effort& effort);
-/// The file of a picture, by the view that its command says.
+/// Writes the picture's file, with the view that its command names.
 void writePicture(const Rendering& rendering, const std::filesystem::path& path);
 
 }  // namespace steradian::books

@@ -1,5 +1,5 @@
 #pragma once
-/// Renders of one scene side by side, as a table.
+/// A table that compares renders of one scene.
 #include <functional>
 #include <string>
 #include <vector>
@@ -20,16 +20,16 @@ struct TrialResult {
   double raysPerSample = 0.0;  ///< of all kinds
   std::uint32_t samplesPerPixel = 0;
   std::uint64_t samples = 0, nonFinite = 0;
-  double relMse = 0.0;  ///< against the reference of the scene as it is without the change
+  double relMse = 0.0;  ///< against the reference of the unchanged scene
   double mean = 0.0;    ///< luminance
 
-  /// Efficiency over that of another: relMSE x seconds, the other way round.
+  /// Efficiency relative to another's: the inverse ratio of relMSE x seconds.
   double efficiencyOver(const TrialResult& other) const { return other.relMse * other.seconds / (relMse * seconds); }
 };
 
 /// Renders a trial, and keeps its picture in `folder` if it is to be kept.
 TrialResult run(const Trial& trial, Measurer& measurer, const Effort& effort, const std::filesystem::path& folder);
-/// The same in about the time that `seconds` says: as many samples as a first short render promises.
+/// The same in about `seconds`: the number of samples is estimated by a first short render.
 TrialResult runFor(double seconds, Trial trial, Measurer& measurer, const Effort& effort,
                    const std::filesystem::path& folder);
 

@@ -1,5 +1,5 @@
 #pragma once
-/// How the error of an estimate falls with the number of samples.
+/// The error of an estimate as a function of the number of samples.
 #include "steradian/apps/montecarlo/programme.h"
 
 namespace steradian::montecarlo {

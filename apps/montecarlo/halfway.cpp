@@ -1,5 +1,5 @@
-/// The function that the books do not want to solve, exp(-x / 2 pi) sin^2 x over [0, 2 pi]: the point that halves its
-/// area, a density made of such points, and a walk that needs nothing but the function.
+/// The function that the books do not integrate analytically, exp(-x / 2 pi) sin^2 x over [0, 2 pi]: the point that
+/// halves its area, a density made of such points, and a random walk that needs only the function.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -131,10 +131,10 @@ std::vector<Result> runPartition(const RunSettings& settings) {
   return results;
 }
 
-/// A walk whose stops follow the curve in the long run: a step to both sides alike (around the end to the beginning) is
-/// taken with probability min(1, curve there / curve here), or else the stop counts again (Metropolis et al. 1953; with
-/// equal chances of either direction Hastings' factor is 1). It begins at a point of the curve's own density, found by
-/// rejection, so that no stop is of another one.
+/// A random walk whose stops follow the curve in the long run: a step, symmetric about 0 and periodic at the ends, is
+/// accepted with probability min(1, curve at its end / curve here), or else the stop counts again (Metropolis et al.
+/// 1953; with equal chances of either direction Hastings' factor is 1). It begins at a point of the curve's own
+/// density, found by rejection, so that every stop has that density.
 struct Walk {
   std::vector<WeightedPoint> stops;
   int taken = 0;

@@ -23,7 +23,7 @@ Integral areaBy(std::function<double(double)> icd, std::function<double(double)>
         return std::pow(curve(x) / pdf(x), 2);
       },
       0.0, 1.0, 1e-13);
-  // Below what the quadrature can tell from nothing there is no variance.
+  // Values within the error of the quadrature count as 0.
   const double variance = square - exact * exact;
   const auto value = [icd = std::move(icd), pdf = std::move(pdf)](const Sampler<float>& point) {
     const double x = icd(centred(point.get1D(0u)));

@@ -36,7 +36,7 @@ void write(const std::string& path, const std::string& text) {
   writeFileAtomically(path, std::as_bytes(std::span(text)));
 }
 
-/// The plot of what the programmes have to plot.
+/// A plot of all series of the programmes.
 std::string plotOf(const Options& options) {
   std::vector<Panel> panels;
   for (const Programme* programme : options.programmes) {

@@ -39,7 +39,7 @@ void checkPicture(std::string_view option, const std::string& path, app::Argumen
     arguments.problem(fmt::format("{} needs the name of a file that ends in .svg, not \"{}\"", option, path));
 }
 
-/// Whether any of the programmes can do what the option asks for.
+/// Adds a problem if no programme supports the option.
 void checkPurpose(const Options& options, app::Arguments& arguments) {
   bool plots = false, draws = false;
   for (const Programme* programme : options.programmes) {

@@ -23,8 +23,8 @@ struct Options {
   bool json = false;
 };
 
-/// What the texts mean. Adds what is wrong with them to `arguments` and throws Error (Usage) if there is anything;
-/// throws Error (Output) for files that cannot be written.
+/// Parses the texts. Adds what is wrong with them to `arguments`, and throws Error (Usage) if anything is; throws Error
+/// (Output) for files that cannot be written.
 Options optionsOf(const OptionTexts& texts, app::Arguments& arguments);
 
 }  // namespace steradian::montecarlo

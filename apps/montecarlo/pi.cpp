@@ -60,7 +60,7 @@ std::vector<Result> runStratified(RunSettings settings) {
 }
 
 /// A needle as long as the boards are wide (1): its middle is at most 1/2 from the nearest joint, and it crosses if
-/// that is less than half of its extent across the boards. (That pi is needed to throw it is an old joke: the angle.)
+/// that is less than half of its extent across the boards. (Sampling its angle needs pi itself.)
 double needle(const Sampler<float>& point) {
   const Vec2f u = point.get2D(0u);
   const double distance = 0.5 * centred(u.x), angle = 0.5 * pi * centred(u.y);
@@ -75,7 +75,7 @@ Integral crossing() {
 std::vector<Result> runBuffon(const RunSettings& settings) {
   Result crossings = resultOf(crossing(), settings);
   crossings.label = "share that crosses";
-  // 2 / share falls with the share, so the interval is that of the share, mapped.
+  // 2 / share is monotonic, so the interval of the share is mapped to that of pi.
   const double share = crossings.estimate.mean;
   Result inverse{.label = "pi = 2 / share", .exact = 2.0 / crossings.exact, .closedForm = "pi"};
   inverse.estimate = crossings.estimate;

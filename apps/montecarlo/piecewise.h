@@ -6,7 +6,7 @@
 namespace steradian::montecarlo {
 
 /// A density that is constant between neighbouring edges (ascending, at least two), each part having the same
-/// probability: what halving a density again and again ends with.
+/// probability: the result of halving a density again and again.
 class Piecewise {
  public:
   explicit Piecewise(std::vector<double> edges) : edges_(std::move(edges)) {}

@@ -26,25 +26,25 @@ struct Axis {
   bool holds(double value) const { return std::log10(value) >= low - 1e-9 && std::log10(value) <= high + 1e-9; }
 };
 
-/// Of the panel whose upper left corner is (x, y).
+/// The axes of the panel whose upper left corner is (x, y).
 struct Frame {
   Axis samples, error;
   double left, right, top, bottom;
 };
 
 Frame frameOf(const Panel& panel, double x, double y) {
-  double fewest = 1e300, most = 1.0, smallest = 1e300, largest = 1e-300;
+  double minSamples = 1e300, maxSamples = 1.0, smallest = 1e300, largest = 1e-300;
   for (const ErrorCurve& curve : panel.curves) {
     for (const ErrorPoint& p : curve.points) {
-      fewest = std::min(fewest, p.samples);
-      most = std::max(most, p.samples);
+      minSamples = std::min(minSamples, p.samples);
+      maxSamples = std::max(maxSamples, p.samples);
       smallest = std::min(smallest, p.error);
       largest = std::max(largest, p.error);
     }
   }
-  if (fewest > most) fewest = most = smallest = largest = 1.0;  // no points at all
+  if (minSamples > maxSamples) minSamples = maxSamples = smallest = largest = 1.0;  // no points at all
   const double left = x + kLeft, right = x + kPanelWidth - kRight, top = y + kTop, bottom = y + kPanelHeight - kBottom;
-  const Axis samples{std::log10(fewest) - 0.2, std::log10(most) + 0.2, left, right};
+  const Axis samples{std::log10(minSamples) - 0.2, std::log10(maxSamples) + 0.2, left, right};
   // Whole decades, and room for the legend below the curves.
   const Axis error{std::floor(std::log10(smallest)), std::floor(std::log10(largest)) + 1.0, bottom, top};
   return {samples, error, left, right, top, bottom};

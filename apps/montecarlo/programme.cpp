@@ -62,7 +62,7 @@ Estimate withSpreadOf(double whole, const std::vector<double>& parts, std::uint6
   static_cast<MeanEstimate&>(result) = meanFromGroups(parts, counts);
   result.mean = whole;
   result.count = samples;
-  // What one sample would have if the estimate were a mean of independent ones.
+  // The variance of one sample if the estimate were a mean of independent ones.
   result.variance = result.standardError * result.standardError * static_cast<double>(samples);
   return result;
 }

@@ -1,5 +1,5 @@
 #pragma once
-/// What every programme of `steradian-montecarlo` is: a table entry that runs and can be plotted.
+/// A programme of `steradian-montecarlo`: a table entry that runs and can be plotted.
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -13,10 +13,10 @@ namespace steradian::montecarlo {
 struct RunSettings {
   std::uint32_t samples = 1u << 20;
   std::uint32_t seed = 0;
-  SamplerType sampler = SamplerType::Independent;  ///< for programmes that leave the choice
+  SamplerType sampler = SamplerType::Independent;  ///< for programmes that let the user choose
 };
 
-/// A number printed in a book, and what one run like the book's is expected to give.
+/// A number printed in a book, and what a run like the book's should give.
 struct BookFigure {
   std::string where;  ///< edition and section
   double printed = 0.0;
@@ -26,7 +26,7 @@ struct BookFigure {
 
   /// Distance from `exact` in standard errors of the book's own run. Rounding to the last digit counts for nothing.
   double deviation(double exact) const;
-  /// Such a distance is seen in one of 20 runs: |deviation| > 1.96.
+  /// |deviation| > 1.96, as in one of 20 runs by chance.
   bool outside(double exact) const;
 };
 
@@ -51,7 +51,7 @@ struct Series {
 
 struct Programme {
   std::string name, section, summary;
-  std::vector<std::string> notes{};  ///< errata, and what is to be seen
+  std::vector<std::string> notes{};  ///< errata, and remarks on the result
   std::function<std::vector<Result>(const RunSettings&)> run{};
   std::function<std::vector<Series>(std::uint32_t seed)> series{};  ///< empty: there is nothing to plot
 };

@@ -1,5 +1,5 @@
 #pragma once
-/// What the programmes found, for people and for programs.
+/// The results of the programmes, as text and as JSON.
 #include <string>
 
 #include "steradian/apps/montecarlo/programme.h"

@@ -1,5 +1,5 @@
-/// "Unfortunately, this advantage decreases with the dimension of the problem": how much stratification gains for the
-/// ball in 2 to 5 dimensions.
+/// "Unfortunately, this advantage decreases with the dimension of the problem": the gain by stratification for the ball
+/// in 2 to 5 dimensions.
 #include <fmt/format.h>
 
 #include <array>

@@ -14,8 +14,8 @@ SceneDescription bouncingSpheres();  // of "The Next Week"
 GradientSky bookSky();
 
 // one_weekend_pictures.cpp
-/// The scene of the book's picture of that number, 4 to 23. Pictures with normals want the integrator `normals`. Of
-/// picture 15 the book shows a wrong render and no program: this is its scene.
+/// The scene of the book's picture of that number, 4 to 23. Pictures of normals need the integrator `normals`. For
+/// picture 15 the book shows a wrong render; this is its scene.
 SceneDescription oneWeekendPicture(std::uint32_t picture);
 
 // next_week.cpp: "Ray Tracing: The Next Week"
@@ -33,7 +33,7 @@ SceneDescription nextWeekFinal(bool instanced);
 // cornell.cpp: the Cornell boxes of "The Next Week" and "The Rest of Your Life"
 SceneDescription cornellOriginal();
 SceneDescription cornellSmoke();
-/// The same with surfaces that scatter into the whole hemisphere alike ("The Rest of Your Life", 6.3).
+/// The same with surfaces that scatter uniformly into the hemisphere ("The Rest of Your Life", 6.3).
 SceneDescription cornellUniformDiffuse();
 SceneDescription cornellBox();
 SceneDescription cornellAluminium();

@@ -1,4 +1,5 @@
-/// A room that is lit through the gap under its door ("The Rest of Your Life", 1: what a direct sampler cannot find).
+/// A room that is lit through the gap under its door ("The Rest of Your Life", 1: light that direct light sampling
+/// cannot find).
 #include "steradian/apps/scenes/builders.h"
 
 namespace steradian::scenes {
@@ -28,7 +29,7 @@ SceneDescription doorCrack() {
   box(door, {1.5f, 0.05f, 4.02f}, {2.5f, 2.1f, 4.06f});
   scene.addShape("door", std::move(door), wood);
 
-  // Nothing to see: where light comes through, for --target.
+  // Invisible: the gap that light comes through, as a sampling target (--target).
   QuadSet gap;
   gap.add({1.5f, 0.0f, 4.02f}, {1.0f, 0.0f, 0.0f}, {0.0f, 0.05f, 0.0f});
   scene.shapes[scene.addShape("gap", std::move(gap), scene.addMaterial("air", InterfaceMaterial{}))].target = true;

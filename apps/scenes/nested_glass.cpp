@@ -48,7 +48,7 @@ SceneDescription nestedGlass() {
       scene.addShape("tumbler", lathe(base, glass), scene.addMaterial("glass", DielectricMaterial{.eta = 1.5f}));
   scene.shapes[tumbler].interior = Interior{.priority = 2};
 
-  // Reaches into the glass, whose priority decides where the liquid ends.
+  // Overlaps the glass, whose higher priority determines where the liquid ends.
   const Vec2f liquid[]{{0.0f, 15.0f}, {94.0f, 15.0f}, {94.0f, 190.0f}, {0.0f, 190.0f}};
   const Id tea =
       scene.addShape("tea", lathe(base, liquid), scene.addMaterial("water", DielectricMaterial{.eta = 1.33f}));

@@ -28,8 +28,8 @@ void addFirstSpheres(SceneDescription& scene, Id material, bool ground) {
   if (ground) addSphere(scene, "ground", {0.0f, -100.5f, -1.0f}, 100.0f, material);
 }
 
-/// 9.5. The book pastes five renders together; here five spheres, each on a strip of ground like itself, have a tenth,
-/// three, five, seven and nine.
+/// 9.5. The book joins five renders; here are five spheres of reflectance 0.1, 0.3, 0.5, 0.7 and 0.9, each on a strip
+/// of ground of its own reflectance.
 void addGamut(SceneDescription& scene) {
   for (int i = 0; i < 5; ++i) {
     const float x = static_cast<float>(i - 2);

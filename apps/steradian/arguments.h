@@ -1,5 +1,5 @@
 #pragma once
-/// What is wrong with a command line, collected so that a user sees all mistakes at once.
+/// Collects what is wrong with a command line, so that a user sees all mistakes at once.
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -14,7 +14,7 @@ struct Size {
   int width, height;
 };
 
-/// Each reader complains about a bad text, naming the option, and returns some value in the range then.
+/// Each parser reports a bad text, naming the option, and then returns some value in range.
 class Arguments {
  public:
   /// A whole number in [low, high].
@@ -30,8 +30,8 @@ class Arguments {
 
   /// `suggestion`: the word that the user may have meant, or nothing.
   void problem(std::string message, std::string suggestion = {});
-  /// Adds a problem for each word that nobody knows, but not for the values of options that nobody knows. `known`: what
-  /// may have been meant.
+  /// Adds a problem for each unknown word, but not for the values of unknown options. `known`: candidates for
+  /// suggestions.
   void unexpected(const std::vector<std::string>& words, const std::vector<std::string>& known);
   /// Throws Error (Usage) if there was any problem.
   void throwIfProblems() const { problems_.throwIfErrors(ErrorKind::Usage); }

@@ -1,6 +1,6 @@
 #pragma once
-/// The program's commands. Each function adds its command to `app`; when the user calls it, `run` is set to what does
-/// the work and returns the exit code.
+/// The program's commands. Each function adds its command to `app`; when the user calls it, `run` is set to the
+/// function that does the work and returns the exit code.
 #include <functional>
 
 #include "steradian/apps/steradian/arguments.h"
@@ -11,7 +11,7 @@ class App;
 
 namespace steradian::app {
 
-/// Given what is already wrong with the command line; adds what else is wrong and throws before any work.
+/// Takes the problems of the command line so far, adds others, and throws before any work if there are any.
 using Run = std::function<int(Arguments&)>;
 
 void addRenderCommand(CLI::App& app, Run& run);

@@ -24,7 +24,8 @@ void printErr(std::string_view text) noexcept {
 void openMissingStreams() {
   for (int fd = STDIN_FILENO; fd <= STDERR_FILENO; ++fd) {
     if (::fcntl(fd, F_GETFD) >= 0 || errno != EBADF) continue;
-    // The lowest free descriptor is the missing one. The wrong direction makes its use an error.
+    // open() returns the lowest free descriptor, the missing one. Opened in the wrong direction, its use is still an
+    // error.
     if (::open("/dev/null", fd == STDIN_FILENO ? O_WRONLY : O_RDONLY) < 0) return;
   }
 }

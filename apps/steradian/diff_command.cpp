@@ -54,7 +54,8 @@ struct Picture {
     const auto* text = findMetadata<std::string>(image.metadata(), "steradian.correlatedPixels");
     return text != nullptr ? std::max(std::atoi(text->c_str()), 1) : 1.0;
   }
-  /// Standard errors by colour, which relMSE can subtract. The colours of a render beside its StdErr.Y are none.
+  /// Standard errors of R, G and B, which relMSE can subtract. A render with StdErr.Y has none: its R, G and B are
+  /// colours.
   const Image* colourErrors() const {
     const bool byColour = separateErrors && separateErrors->findRgb() && !separateErrors->findChannel("StdErr.Y");
     return byColour ? &*separateErrors : nullptr;
@@ -71,7 +72,7 @@ Difference compare(const Picture& picture, const Picture& reference) {
   if (picture.errors() != nullptr || reference.errors() != nullptr)
     d.z = zTest(picture.image, picture.errors(), reference.image, reference.errors(),
                 {.correlatedPixelsA = picture.correlatedPixels(), .correlatedPixelsB = reference.correlatedPixels()});
-  if (d.z && d.z->knownBlocks == 0) d.z.reset();  // a render of one sample does not know its error
+  if (d.z && d.z->knownBlocks == 0) d.z.reset();  // no error is known for renders of one sample
   return d;
 }
 
@@ -107,7 +108,7 @@ std::string asJson(const Difference& d) {
   return out.dump(1) + "\n";
 }
 
-/// The relative error as numbers (EXR, HDR) or as colours; says what the brightest colour stands for.
+/// The relative error as numbers (EXR, HDR) or as colours; prints the value of the brightest colour.
 void writeMap(const Image& image, const Image& reference, const std::string& path) {
   Image map = relativeErrorMap(image, reference);
   for (float& squared : map.values()) squared = std::sqrt(squared);

@@ -1,5 +1,5 @@
 #pragma once
-/// What the program's exit codes mean (sysexits.h where it has a word for it).
+/// What the program's exit codes mean (those of sysexits.h where it has one).
 #include "steradian/core/base/diagnostics.h"
 
 namespace steradian::app {
@@ -11,7 +11,7 @@ enum ExitCode : int {
   kExitScene = 65,  ///< bad scene or asset
   kExitMemory = 71,
   kExitOutput = 74,   ///< a result could not be written
-  kExitStopped = 75,  ///< interrupted; the picture was saved as far as it was
+  kExitStopped = 75,  ///< interrupted; the unfinished picture was saved
 };
 
 inline ExitCode exitCodeOf(ErrorKind kind) {

@@ -27,7 +27,7 @@ void Interrupt::wait() {
   const timespec patience{.tv_sec = 0, .tv_nsec = 50'000'000};
   while (!done_) {
     if (sigtimedwait(&signals_, nullptr, &patience) < 0) continue;
-    if (source_.stop_requested()) _exit(kExitOther);  // asked twice: the user does not want to wait for the picture
+    if (source_.stop_requested()) _exit(kExitOther);  // second request: the user does not want to wait for the picture
     printErr("\nstopping and saving; once more to end at once\n");
     source_.request_stop();
   }

@@ -44,7 +44,7 @@ void printHint(CLI::App& app) {
   printErr(fmt::format("Try `steradian {}--help`.\n", &chosen(app) == &app ? "" : chosen(app).get_name() + " "));
 }
 
-/// CLI11's complaints are about what it was told to find: a command, arguments, values of options.
+/// CLI11 reports what it was configured to check: a command, arguments, values of options.
 int reportUsage(CLI::App& app, const CLI::ParseError& problem, Arguments& arguments) {
   const std::vector<std::string> unknown = app.remaining(true);
   arguments.unexpected(unknown, knownWords(app));
@@ -77,7 +77,7 @@ int runProgram(int argc, char** argv) {
   for (CLI::App* command : commandsOf(app)) {
     command->group("Commands");
     command->footer(command->get_footer() + (command->get_footer().empty() ? "" : "\n") + kExitCodes);
-    command->allow_extras();  // our own complaint comes together with those about values
+    command->allow_extras();  // we report unknown words ourselves, together with bad values
   }
   Arguments arguments;
   try {

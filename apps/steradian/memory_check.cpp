@@ -18,7 +18,7 @@ namespace {
 /// An image has 13 float channels; writing an EXR needs it twice more at worst, pixels by plane and the file.
 constexpr std::uint64_t kImageBytesPerPixel = 3 * 13 * sizeof(float);
 
-/// Clusters, hierarchy and what building them takes: measured with boxes, the largest of the small primitives.
+/// Clusters, hierarchy and the memory of building them: measured with boxes, the largest of the small primitives.
 constexpr std::uint64_t kBuildBytesPerPrimitive = 80;
 
 /// The number that follows `key` in a file of lines "key number ..."; an empty key: the number that the file begins
@@ -34,7 +34,7 @@ std::optional<std::uint64_t> numberIn(const std::filesystem::path& path, std::st
   return std::nullopt;
 }
 
-/// What one control group leaves. The kernel gives up cached files before it refuses memory.
+/// Free memory of one control group. The kernel drops cached files before it refuses memory.
 std::uint64_t freeOfGroup(const std::filesystem::path& group) {
   const auto limit = numberIn(group / "memory.max"), charged = numberIn(group / "memory.current");
   if (!limit || !charged) return std::numeric_limits<std::uint64_t>::max();
@@ -43,7 +43,7 @@ std::uint64_t freeOfGroup(const std::filesystem::path& group) {
   return *limit - std::min(*limit, used);
 }
 
-/// The least that this process's control group and those around it leave.
+/// The least free memory of this process's control group and its ancestors.
 std::uint64_t freeOfControlGroups(const std::filesystem::path& root) {
   std::uint64_t least = std::numeric_limits<std::uint64_t>::max();
   std::ifstream file(root / "proc/self/cgroup");

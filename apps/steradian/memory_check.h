@@ -8,12 +8,12 @@
 
 namespace steradian::app {
 
-/// Bytes that the system can give this process, by /proc/meminfo and the limits of its control group (version 2);
-/// the largest number if neither is known. `root` is where the system's files are, for tests.
+/// Memory available to this process in bytes, by /proc/meminfo and the limits of its control group (version 2); the
+/// largest number if neither is known. `root` is where the system's files are, for tests.
 std::uint64_t availableMemory(const std::filesystem::path& root = "/");
 
-/// Throws Error (Memory) if what is built from the scene, beside the description itself, does not fit in `available`
-/// bytes.
+/// Throws Error (Memory) if what is built from the scene, not counting the description itself, does not fit in
+/// `available` bytes.
 void checkMemory(const SceneDescription& scene, std::uint64_t available);
 
 /// Throws Error (Memory) if the film of such a picture, the image made of it and its file do not fit in `available`

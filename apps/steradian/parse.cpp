@@ -6,7 +6,7 @@
 namespace steradian::app {
 
 std::optional<int> parse(CLI::App& app, int argc, char** argv, Arguments& arguments) {
-  app.allow_extras();  // our own complaint comes together with those about values
+  app.allow_extras();  // we report unknown words ourselves, together with bad values
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {

@@ -1,5 +1,5 @@
 #pragma once
-/// Reading a command line whose mistakes are told all at once.
+/// Parses a command line and reports all mistakes at once.
 #include <CLI/CLI.hpp>
 #include <optional>
 
@@ -7,7 +7,7 @@
 
 namespace steradian::app {
 
-/// For a program without commands: parses, prints what --help and --version ask for, and adds what is wrong and which
+/// For a program without commands: parses, prints the texts of --help and --version, and adds what is wrong and which
 /// words are unknown to `arguments`. The exit code if the program is done.
 std::optional<int> parse(CLI::App& app, int argc, char** argv, Arguments& arguments);
 

@@ -1,5 +1,5 @@
 #pragma once
-/// What the error of a picture is measured against.
+/// The reference that the error of a picture is measured against.
 #include "steradian/core/image/image.h"
 
 namespace steradian::app {

@@ -37,7 +37,7 @@ Crop cropOf(const RenderSettings& settings, const RenderDefaults& defaults) {
       Crop{0, settings.width.value_or(defaults.width), 0, settings.height.value_or(defaults.height)});
 }
 
-/// What must be right before hours of rendering.
+/// Checks that should not fail only after hours of rendering.
 void checkResources(const RenderOptions& options) {
   Diagnostics problems;
   for (const Output& output : options.outputs) {

@@ -36,7 +36,7 @@ constexpr const char* kNotes =
     "\nOf an option that is given twice the last counts. $OCIO names another colour configuration for --display and\n"
     "--view. --strategy, --max-depth, --target, --reuse and --width are short for keys of --integrator path.\n";
 
-/// Runs a parser of the library that throws, and keeps its complaints.
+/// Runs a parser of the library that throws, and collects its errors.
 template <class Parse>
 void collect(Arguments& arguments, Parse parse) {
   try {

@@ -42,7 +42,7 @@ struct RenderOptions {
   SceneDescription scene;
   std::vector<Output> outputs;
   RenderSettings settings;         ///< with --isa and --width
-  Accel accel = Accel::Auto;       ///< what the scene is built with
+  Accel accel = Accel::Auto;       ///< acceleration structure of the scene
   std::string integrator;          ///< a complete spec
   std::string replay;              ///< the options, as typed, that choose the samples of a pixel
   int threads = 0;                 ///< 0: all processors
@@ -56,8 +56,8 @@ struct RenderOptions {
 void declareRenderOptions(CLI::App& command, RenderTexts& texts);
 
 /// Checks everything that can be checked before the scene is built, and reads the pictures that replace those of the
-/// scene. Throws Error: Usage with all problems at once, those that `arguments` has already among them; Scene or Memory
-/// for pictures (see readColourImage).
+/// scene. Throws Error: Usage with all problems at once, including those already in `arguments`; Scene or Memory for
+/// pictures (see readColourImage).
 RenderOptions checkRenderOptions(const RenderTexts& texts, Arguments& arguments);
 
 }  // namespace steradian::app

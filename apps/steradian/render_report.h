@@ -1,5 +1,5 @@
 #pragma once
-/// What `steradian render` says when it is done.
+/// What `steradian render` reports when it is done.
 #include <string>
 
 #include "steradian/apps/steradian/render_options.h"
@@ -24,7 +24,7 @@ void printStatistics(StatisticsFormat format, const std::string& sceneName, int 
 /// "stopped after 12 of 64 samples per pixel"; nothing if it was not stopped.
 void reportStop(const RenderResult& result);
 
-/// Non-finite samples are dropped, never silently: says how many, and how to see the first again.
+/// Non-finite samples are dropped, never silently: reports how many, and a command that renders the first again.
 void warnAboutDroppedSamples(const std::string& sceneName, const RenderOptions& options, const RenderResult& result);
 
 }  // namespace steradian::app

@@ -13,7 +13,7 @@ namespace steradian::app {
 /// expanded.
 nlohmann::json toJson(const SceneDescription& scene);
 
-/// Number of primitives by kind name, as rays meet them: a shape of a group counts once per instance.
+/// Number of primitives by name of their kind, instances expanded: a shape of a group counts once per instance.
 std::map<std::string, std::uint64_t> countPrimitives(const SceneDescription& scene);
 
 }  // namespace steradian::app

@@ -1,10 +1,10 @@
 #pragma once
-/// What a shared libsteradian shows of itself.
+/// Which symbols a shared libsteradian exports.
 ///
-/// Everything is compiled with hidden names, so that calls within the library stay there and nothing of it meets
-/// names of other libraries. The interface is what headers declare in `namespace STERADIAN_API steradian`: all
-/// installed ones, but for the tables of kernels. In a static library nothing is shown: a shared library that is
-/// built with one keeps it to itself.
+/// Everything is compiled with hidden visibility, so that calls within the library cannot be redirected and its symbols
+/// do not clash with those of other libraries. Exported is what headers declare in `namespace STERADIAN_API steradian`:
+/// all installed headers, except for the tables of kernels. A static library exports nothing, so neither does a shared
+/// library that contains it.
 #if defined(STERADIAN_SHARED)
 #define STERADIAN_API [[gnu::visibility("default")]]
 #else

@@ -119,7 +119,7 @@ void replaceFile(const fs::path& target, const fs::path& path, const struct stat
   if (static_cast<std::size_t>(written.st_size) != data.size()) fail(target, EIO);
   if (file.close() != 0) fail(target, errno);
   if (!temporary.renameTo(path)) fail(target, errno);
-  // Makes the new name durable; file systems that cannot do it have done what they can.
+  // Makes the new name durable; errors are ignored, because some file systems cannot sync a folder.
   const FileDescriptor folder(::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (folder.get() >= 0) ::fsync(folder.get());
 }

@@ -28,7 +28,7 @@ std::optional<std::string_view> findLine(std::string_view text, int line) {
   return std::nullopt;
 }
 
-/// Tabs become one blank, so that the caret below stands where it should whatever the terminal's tab stops are.
+/// Tabs become one blank, so that the caret below is in the right column for any tab stops of the terminal.
 std::string printable(std::string_view text) {
   std::string result(text);
   for (char& c : result) {

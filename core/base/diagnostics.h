@@ -109,7 +109,7 @@ std::size_t editDistance(std::string_view a, std::string_view b);
 std::size_t nearness(std::string_view word, std::string_view candidate);
 
 /// The candidate (any range of strings) that `word` was probably meant to be; empty when none is near.
-/// The first of equally near ones wins.
+/// Of equally near ones, the first.
 template <class Candidates>
 std::string didYouMean(std::string_view word, const Candidates& candidates) {
   std::string best;

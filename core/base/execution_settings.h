@@ -1,5 +1,5 @@
 #pragma once
-/// How code is executed, as far as a user may choose: a matter of speed only, never of the picture.
+/// What a user may choose about how code is executed: it affects speed only, never the picture.
 #include <cstdint>
 
 #include "steradian/core/base/api.h"
@@ -15,7 +15,7 @@ struct ExecutionSettings {
   /// Instruction set of the kernels; must be usable on this processor (core/base/isa.h).
   Isa isa = bestIsa();
   /// Paths that one thread traces at once: 1, 4, 8 or 16; 0: as many as an instruction of `isa` holds floats.
-  /// Integrators that know one width only ignore it.
+  /// Integrators of a single width ignore it.
   std::uint32_t width = 0;
 };
 

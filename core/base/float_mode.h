@@ -11,7 +11,7 @@ namespace STERADIAN_API steradian {
 
 /// While it lives, this thread takes denormal numbers as zero and rounds results that would be denormal to zero: they
 /// cost a hundred cycles each on many processors, and every thread must do the same for pictures to be the same to the
-/// bit. The mode that the caller had comes back afterwards.
+/// bit. The caller's mode is restored afterwards.
 class FlushDenormals {
  public:
 #if defined(__SSE__)

@@ -25,7 +25,7 @@ enum class Isa {
 
 /// Those that this build has code for, narrow to wide.
 std::span<const Isa> compiledIsas();
-/// Whether the build has code for it and this processor runs it; what is wrong otherwise, as Error (Usage).
+/// Whether the build has code for it and this processor runs it; requireUsable throws Error (Usage) otherwise.
 bool isUsable(Isa isa);
 void requireUsable(Isa isa);
 /// The widest usable one.

@@ -1,8 +1,8 @@
 #pragma once
 /// Work shared by the threads of the caller's tbb::task_arena. The library uses oneTBB through this header alone.
 ///
-/// ThreadSanitizer cannot see how oneTBB, which is built without it, hands work from one thread to another, and takes
-/// each time for a race. Code that it watches runs on std::threads instead, as many as the arena has places.
+/// ThreadSanitizer cannot see how oneTBB, which is built without it, hands work from one thread to another, and reports
+/// races there. Builds with ThreadSanitizer use std::threads instead, as many as the arena has slots.
 #include <tbb/task_arena.h>
 
 #include <cstddef>
@@ -38,7 +38,7 @@ namespace STERADIAN_API steradian {
 
 namespace detail {
 
-/// While it lives, this thread is one of several, and what it asks for is done by itself.
+/// While it lives, this thread counts as a worker: parallel calls that it makes run on it alone.
 class OneOfSeveral {
  public:
   OneOfSeveral() : before_(isHere) { isHere = true; }
@@ -57,7 +57,7 @@ class OneOfSeveral {
   bool before_;
 };
 
-/// Calls work() on so many threads, of which the caller's is one, and throws the first exception of them.
+/// Calls work() on `count` threads, the caller's included, and rethrows the first exception.
 template <class Work>
 void onThreads(std::size_t count, const Work& work) {
   std::mutex mutex;
@@ -119,7 +119,7 @@ void parallelForRanges(std::size_t count, std::size_t grain, const Body& body) {
 #endif
 }
 
-/// Calls both, side by side where threads are free.
+/// Calls both, in parallel where threads are free.
 template <class First, class Second>
 void parallelInvoke(const First& first, const Second& second) {
 #if defined(STERADIAN_STD_THREADS)
@@ -146,7 +146,7 @@ void parallelInvoke(const First& first, const Second& second) {
 #endif
 }
 
-/// Calls `work`; if it waits for tasks, this thread takes up only tasks of its own meanwhile.
+/// Calls `work`; while it waits for tasks, this thread runs only tasks that `work` has spawned (task isolation).
 template <class Work>
 void isolated(const Work& work) {
   tbb::this_task_arena::isolate(work);

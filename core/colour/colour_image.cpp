@@ -14,7 +14,7 @@
 namespace steradian {
 namespace {
 
-/// Grey, whatever else comes with it.
+/// The grey channel, whichever other channels there are.
 std::optional<int> findGrey(const Image& image) {
   if (image.channelCount() == 1) return 0;
   return image.findChannel("Y");

@@ -47,7 +47,7 @@ std::vector<std::string> allViews(const ocio::ConstConfigRcPtr& config, const st
   const auto add = [&](const std::string& view) {
     if (std::find(result.begin(), result.end(), view) == result.end()) result.push_back(view);
   };
-  // The active ones in their order, then those that the configuration hides but knows.
+  // The active views in their order, then the configuration's inactive ones.
   for (int i = 0; i < config->getNumViews(display.c_str()); ++i) add(config->getView(display.c_str(), i));
   for (const auto type : {ocio::VIEW_DISPLAY_DEFINED, ocio::VIEW_SHARED}) {
     for (int i = 0; i < config->getNumViews(type, display.c_str()); ++i) add(config->getView(type, display.c_str(), i));
@@ -93,7 +93,7 @@ ocio::ConstCPUProcessorRcPtr processorOf(const ocio::ConstConfigRcPtr& config, b
     toDisplay->setSrc(entryRole);
   }
   group->appendTransform(toDisplay);
-  // No fast approximations of logarithms and powers: a picture must not depend on the SIMD means of the machine.
+  // No fast approximations of logarithms and powers: a picture must not depend on the machine's SIMD instructions.
   return config->getProcessor(group)->getOptimizedCPUProcessor(ocio::OPTIMIZATION_LOSSLESS);
 }
 

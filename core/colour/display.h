@@ -17,7 +17,7 @@ struct DisplaySettings {
   float exposure = 0.0f;  ///< in stops: radiance is multiplied by 2^exposure first
 };
 
-/// From scene-linear pixels (linear Rec.709, D65) to what is to be seen, through OpenColorIO.
+/// From scene-linear pixels (linear Rec.709, D65) to display values, through OpenColorIO.
 ///
 /// The built-in configuration has the display "sRGB" with the views
 ///   "sRGB" (default)  the sRGB curve (within 1e-5) and nothing else; values beyond [0, 1] are cut in the file;
@@ -26,7 +26,7 @@ struct DisplaySettings {
 ///   "Raw"             the pixels as they are.
 ///
 /// A configuration of the user's (programs take it from $OCIO; this library reads no environment variables of its
-/// own) joins ours through its role `aces_interchange`.
+/// own) is connected to ours by its role `aces_interchange`.
 ///
 /// A value: cheap to copy, and const functions may be called from several threads. No global state of OpenColorIO is
 /// touched, so its log, which for damaged configurations goes to standard error, stays in the hands of the host
@@ -36,8 +36,8 @@ class Display {
   /// The built-in configuration.
   Display();
 
-  /// Reads an .ocio (or, where OpenColorIO knows them, .ocioz) file.
-  /// Throws `Error` (kind Usage) if it cannot be read or is not valid, or if it has no role `aces_interchange`.
+  /// Reads an .ocio (or, where OpenColorIO supports them, .ocioz) file. Throws `Error` (kind Usage) if it cannot be
+  /// read or is not valid, or if it has no role `aces_interchange`.
   explicit Display(const std::filesystem::path& config);
 
   /// The same from the text of a configuration; `name` is for messages.
@@ -52,11 +52,11 @@ class Display {
   /// Throws the error that `apply` would throw for these names.
   void check(const DisplaySettings& settings) const;
 
-  /// The image as it is to be seen, in the channels R, G and B, with the image's window and metadata, "encoding" =
-  /// "display" and, for "Book", "quantisation" = "book". The values are for a display file's full range [0, 1], and
-  /// may lie outside.
-  /// Throws `Error` (kind Usage) for an unknown display or view, with a suggestion, if the exposure is not finite, or
-  /// if the image has no R, G and B; kind Other if OpenColorIO cannot build the transform (a missing LUT, say).
+  /// The image for display, in the channels R, G and B, with the image's window and metadata, "encoding" = "display"
+  /// and, for "Book", "quantisation" = "book". The values are for a display file's full range [0, 1], and may lie
+  /// outside. Throws `Error` (kind Usage) for an unknown display or view, with a suggestion, if the exposure is not
+  /// finite, or if the image has no R, G and B; kind Other if OpenColorIO cannot build the transform (a missing LUT,
+  /// say).
   Image apply(const Image& image, const DisplaySettings& settings = {}) const;
 
  private:

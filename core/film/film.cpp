@@ -139,7 +139,7 @@ void Film::addBatch(int x, int y, std::uint32_t firstSample, std::span<const Pix
   }
 }
 
-/// The same sums by the long way, for values of any size, and for those that are not finite.
+/// The same sums without the fast path: for values of any size, and for those that are not finite.
 void Film::addExtraordinary(int x, int y, std::uint32_t sample, const PixelSample& s) {
   if (!allFinite(s)) {
     drop({sample, x, y});

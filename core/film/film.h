@@ -74,17 +74,17 @@ class Film {
 
   const FilmSettings& settings() const { return settings_; }
   const Crop& crop() const { return crop_; }
-  /// Most groups of samples that the standard error comes from: `replicates`, or 8 if that is 1.
+  /// The largest number of groups of samples that the standard error is computed from: `replicates`, or 8 if that is 1.
   std::uint32_t groupCount() const { return groups_; }
   /// Memory per pixel: 224 bytes with 8 groups, and 12 for each group more or less.
   static std::uint64_t bytesPerPixel(std::uint32_t replicates);
 
-  /// Adds the samples firstSample, firstSample + 1, ... of pixel (x, y), which is inside the crop. Runs may be cut and
-  /// ordered at will. Samples with a value that is not finite (depth may be +inf) are dropped, lower the count and
-  /// are remembered. Different pixels may be added to at the same time from several threads.
+  /// Adds the samples firstSample, firstSample + 1, ... of pixel (x, y), which is inside the crop. Runs may be split
+  /// and added in any order. Samples with a value that is not finite (depth may be +inf) are dropped, lower the count
+  /// and are remembered. Different pixels may be added to at the same time from several threads.
   void addSamples(int x, int y, std::uint32_t firstSample, std::span<const PixelSample> samples);
 
-  /// Which samples were added: to be entered by whoever adds them, once they are there.
+  /// Which samples were added: the caller of addSamples() enters them when they are complete.
   SampleLedger& ledger() { return ledger_; }
   const SampleLedger& ledger() const { return ledger_; }
 

@@ -1,5 +1,5 @@
 #pragma once
-/// How good a picture is, as far as its film can tell: standard errors pooled over blocks of pixels.
+/// The error of a picture, as estimated from its film: standard errors pooled over blocks of pixels.
 #include <limits>
 #include <vector>
 
@@ -20,7 +20,7 @@ struct BlockEstimate {
 /// Degrees of freedom: Welch 1947 (Biometrika 34), Satterthwaite 1946 (Biometrics Bulletin 2).
 std::vector<BlockEstimate> estimateBlocks(const Film& film, int side = 8);
 
-/// The relative mean squared error that the standard errors promise: the mean over pixels of variance / (Y^2 + 0.01), Y
+/// The relative mean squared error that the standard errors predict: the mean over pixels of variance / (Y^2 + 0.01), Y
 /// the luminance and the variance averaged over the pixel's 8x8 block, without the 0.1 % of pixels where it is largest
 /// (an error whose estimate is infinite because it is not known is as large as any). +inf while it is not known.
 double estimateRelMse(const Film& film);

@@ -26,7 +26,7 @@ struct SampleSums {
 };
 
 struct STERADIAN_API FilmKernels {
-  /// The sums of up to kMaxCount samples; false if a value is too large for the short way, or not finite.
+  /// The sums of up to kMaxCount samples; false if a value is too large for the fast path, or not finite.
   bool (*sum)(std::span<const PixelSample> samples, SampleSums& sums);
 };
 

@@ -5,7 +5,7 @@
 namespace steradian {
 namespace {
 
-/// Below these a sample takes the short way: steps64 and ShortSum128.
+/// Samples below these limits take the fast path: steps64 and ShortSum128.
 constexpr float kNarrowLimit = 0x1p18f;
 constexpr float kDepthLimit = 0x1p31f;
 
@@ -27,7 +27,7 @@ struct Batch {
       hits += hit ? 1u : 0u;
     }
   }
-  /// All values are finite and small enough for the short way. Compares bits, which order magnitudes as their values
+  /// All values are finite and small enough for the fast path. Compares bits, which order magnitudes as their values
   /// do, NaN and infinity last; by place first, by channel only in the end, because that is the order of SIMD lanes.
   bool ordinary() const {
     std::array<std::uint32_t, kBatch> largest{};

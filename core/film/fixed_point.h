@@ -16,7 +16,8 @@ namespace STERADIAN_API steradian {
 /// 128 bits in steps of 2^-64: exact for every float of magnitude in [2^-41, 2^63), and within 2^-65 below that.
 ///
 /// The sum of numbers whose magnitudes add up to less than 2^63 is exact. Beyond that it saturates: it becomes +-limit
-/// and stays there, whatever is added. Saturation, too, is independent of the order if no number is negative.
+/// and stays there, regardless of later additions. Saturation, too, is independent of the order if no number is
+/// negative.
 class FixedPoint128 {
  public:
   __extension__ typedef __int128 Steps;  // `using` cannot carry __extension__, which keeps -Wpedantic quiet
@@ -102,9 +103,9 @@ inline std::int64_t steps64(double x) {
   return std::bit_cast<std::int64_t>(x + binade) - std::bit_cast<std::int64_t>(binade);
 }
 
-/// The sum of up to 2048 numbers below 2^31 on its way into a FixedPoint128: two 64-bit integers, the upper in steps of
-/// 2^-20, the lower in steps of 2^-64. The result is that of FixedPoint128::from of each number, at a fraction of the
-/// cost, and without a branch.
+/// Accumulates up to 2048 numbers below 2^31 before they are added to a FixedPoint128: two 64-bit integers, the upper
+/// in steps of 2^-20, the lower in steps of 2^-64. The result is that of FixedPoint128::from of each number, at a
+/// fraction of the cost, and without a branch.
 struct ShortSum128 {
   static constexpr int kMaxCount = 2048;
 

@@ -10,7 +10,7 @@
 namespace steradian {
 namespace {
 
-/// What no 64-bit processor of today can hold.
+/// More bytes than any 64-bit processor of today can address.
 constexpr std::uint64_t addressableBytes = std::uint64_t{1} << 47;
 
 void checkShape(int width, int height, const std::vector<std::string>& channels, const ImageWindow& window) {

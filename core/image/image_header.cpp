@@ -9,7 +9,7 @@ namespace {
 constexpr std::uint64_t maxValues = std::uint64_t{1} << 53;
 constexpr std::uint32_t multiPartFlag = 0x1000;
 
-/// Takes things off the front of the file; after a failure everything it returns is zero or empty.
+/// Reads values from the front of the file; after a failure everything it returns is zero or empty.
 class Reader {
  public:
   explicit Reader(std::span<const std::byte> data) : data_(data) {}

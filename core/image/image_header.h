@@ -1,6 +1,6 @@
 #pragma once
-/// What image files claim about themselves, read before a decoder sees them: decoders allocate what a few damaged
-/// bytes ask for as soon as they open a file, so a check afterwards comes too late.
+/// The sizes that image files claim, read before a decoder opens them: decoders allocate memory for these as soon as
+/// they open a file, damaged or not, so a later check would be too late.
 
 #include <cstddef>
 #include <cstdint>

@@ -14,9 +14,9 @@
 namespace STERADIAN_API steradian {
 
 /// Exr and Hdr are scene-linear: they hold the pixels of a render as they are, without any display transform.
-/// Png, Jpeg, Tiff and Ppm are display-referred: they hold what is to be seen, so an image goes through
-/// `Display::apply` first. TIFF counts as such (8 or 16 bits) because programs show an integer TIFF as it is, and
-/// for scene-linear pixels there is EXR.
+/// Png, Jpeg, Tiff and Ppm are display-referred: they hold display values, so an image goes through `Display::apply`
+/// first. TIFF counts as such (8 or 16 bits) because programs show an integer TIFF as it is, and for scene-linear
+/// pixels there is EXR.
 enum class ImageFormat { Exr, Png, Jpeg, Tiff, Hdr, Ppm };
 
 bool isDisplayReferred(ImageFormat format);

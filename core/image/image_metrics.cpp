@@ -61,7 +61,8 @@ double luminanceOf(const std::array<double, 3>& rgb) {
 /// What the luminance of each pixel adds to the variance of sums over pixels; 0 for a null image.
 class LuminanceErrors {
  public:
-  /// Of g correlated pixels the sum has g times the variance, and they know it as well as one of them does.
+  /// The sum of g fully correlated pixels has g times the variance that independent ones would give it, and the degrees
+  /// of freedom of one pixel.
   LuminanceErrors(const Image* image, double degreesOfFreedom, double correlatedPixels)
       : image_(image), correlatedPixels_(correlatedPixels), dof_(degreesOfFreedom / correlatedPixels) {
     if (!image_) return;

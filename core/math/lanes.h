@@ -4,7 +4,7 @@
 /// Everything in the hot loop is a template over a float-like type F: `float` (width 1) or `Lanes<N>` (N floats that
 /// advance together). A condition on F is a `MaskOf<F>` (`bool` or `Mask<N>`) and is consumed by `select`, `any`,
 /// `all`, never by `if`. Each operation rounds as the scalar one does, so that width 1 and width N give the same bits.
-/// This file and core/math/lanes_vectors.h are the only ones that know the SIMD means: the vector extensions of g++ and
+/// This file and core/math/lanes_vectors.h are the only ones that contain SIMD code: the vector extensions of g++ and
 /// clang++.
 #include <array>
 #include <bit>
@@ -120,7 +120,7 @@ using IntOf = typename LaneTraits<F>::IntType;
 template <class F>
 using UintOf = typename LaneTraits<F>::UintType;
 
-// --- The same verbs for one lane and for many -------------------------------------------------------------------
+// --- The same functions for one lane and for many ---------------------------------------------------------------
 
 /// Bit i is lane i of the mask.
 inline std::uint32_t laneBits(bool m) { return m ? 1u : 0u; }

@@ -12,8 +12,8 @@
 
 namespace STERADIAN_API steradian {
 
-/// As many floats as one instruction of the compile target holds. It differs between the objects that core/base/isa.h
-/// tells of, and so does the layout of wider vectors: neither may pass from one to another.
+/// As many floats as one instruction of the compile target holds. It differs between the object files that
+/// core/base/isa.h describes, and so does the layout of wider vectors: neither may be passed between them.
 #if defined(__AVX512F__)
 constexpr int kNativeWidth = 16;
 #elif defined(__AVX__)
@@ -65,7 +65,7 @@ struct Halves {
 };
 
 namespace raw {
-// What has no operator that a struct could have, for vectors and for halves.
+// Operations that a struct cannot offer as operators (v[i] = x, m ? a : b, conversions), for vectors and halves.
 
 template <class V, class T>
 void setElement(V& v, int i, T x) {

@@ -33,7 +33,7 @@ Linear inverseTransposed(const Linear& a) {
 double norm(const Linear& a) { return std::sqrt(dot(a[0], a[0]) + dot(a[1], a[1]) + dot(a[2], a[2])); }
 
 /// The orthogonal factor of a polar decomposition, by Newton's iteration with scaling (Higham 1986, "Computing the
-/// polar decomposition"): ten steps at most, whatever the scale.
+/// polar decomposition"): ten steps at most, at any scale.
 Linear orthogonalFactor(Linear q) {
   for (int step = 0; step < 40; ++step) {
     const Linear other = inverseTransposed(q);
@@ -66,7 +66,7 @@ Quaternion4 quaternionOf(const Linear& r) {
 
 double length4(const Quaternion4& q) { return std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]); }
 
-/// A linear map taken apart: stretch, then rotation.
+/// A linear map decomposed: stretch, then rotation.
 struct Parts {
   Linear stretch;  ///< symmetric; positive definite, or for mirrors negative definite
   Quaternion4 rotation;
@@ -82,7 +82,7 @@ struct Parts {
 };
 
 float rounded(double x) { return static_cast<float>(x); }
-/// A bound stays one.
+/// Rounds upwards, so that an upper bound remains one.
 float roundedUp(double x) { return static_cast<float>(x * (1.0 + 1e-6)); }
 
 }  // namespace

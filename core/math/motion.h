@@ -10,21 +10,21 @@ struct Motion {
   Matrix open, close;
 };
 
-/// A Motion, taken apart once: p' = p S(t) R(t) + T(t), with a symmetric stretch S, a rotation R and a translation T
+/// A Motion, decomposed once: p' = p S(t) R(t) + T(t), with a symmetric stretch S, a rotation R and a translation T
 /// (polar decomposition: Shoemake & Duff 1992, "Matrix animation and polar decomposition"). S and T change linearly, R
-/// turns at constant speed the shorter way (Shoemake 1985, "Animating rotation with quaternion curves").
+/// rotates the shorter way at constant speed (Shoemake 1985, "Animating rotation with quaternion curves").
 ///
-/// `at` gives the same bits on every machine. Whoever needs the inverse takes that of the rounded matrix
-/// (affineInverse): then rounding errors are those of transforms that do not move.
+/// `at` gives the same bits on every machine. Inverses are taken of the rounded matrix (affineInverse), so that
+/// rounding errors are bounded as for static transforms.
 class MovingTransform {
  public:
-  /// The keys must be as Motion says (validate() sees to it).
+  /// The keys must be as Motion says (validate() checks it).
   explicit MovingTransform(const Motion& motion);
 
   /// Local to world at `time` in [0, 1]. Where both keys are the same, exactly that.
   Matrix at(float time) const;
 
-  /// Encloses whatever `local` encloses in local space, at all times, with the rounding of `at`.
+  /// World bounds, at all times, of everything inside `local` (local space); rounding of `at` included.
   Bounds3 bounds(const Bounds3& local) const;
 
   /// No coordinate, in local space and at any time, of a point whose coordinates in the world are at most `magnitude`,

@@ -28,7 +28,7 @@ void setLane(Ray<F>& r, int i, const Ray<float>& value) {
   setLane(r.tMin, i, value.tMin);
 }
 
-/// False for rays that no kernel and no hierarchy could make sense of: not finite, without a direction, empty.
+/// False for rays that must not reach a kernel or a hierarchy: not finite, without a direction, or empty.
 template <class F>
 MaskOf<F> isUsable(const Ray<F>& ray) {
   const Vec3<F> o = absolute(ray.origin), d = absolute(ray.direction);

@@ -54,7 +54,7 @@ Vec3<F> transformNormal(const M& inverse, Vec3<F> n) {
           n.x * F(inverse[2][0]) + n.y * F(inverse[2][1]) + n.z * F(inverse[2][2])};
 }
 
-/// The inverse of an affine, invertible matrix, exact but for the last rounding: error bounds count on it.
+/// The inverse of an affine, invertible matrix, exact but for the last rounding: error bounds rely on it.
 Matrix affineInverse(const Matrix& m);
 /// Bounds of the eight corners, moved by an affine map.
 Bounds3 transformedBounds(const Bounds3& bounds, const Matrix& matrix);

@@ -3,8 +3,8 @@
 /// random Z order (Ahmed & Wonka 2020, "Screen-space blue-noise diffusion of Monte Carlo sampling error via
 /// hierarchical ordering of pixels", ACM TOG 39(6)). Each pixel has an aligned block of points, four pixels of an
 /// aligned square have one four times as long, and so on: the means over them are as good as points of one pixel, so
-/// what error is left is of high spatial frequency, which the eye and every filter average away. Needs the samples per
-/// pixel beforehand.
+/// what error is left is of high spatial frequency, which the eye and every filter average away. The samples per pixel
+/// must be known beforehand.
 #include <algorithm>
 #include <bit>
 #include <cstdint>
@@ -13,7 +13,8 @@
 
 namespace STERADIAN_API steradian {
 
-/// How the bits of the sequence's index are shared out: below, the sample in its pixel; above, the pixel in its square.
+/// How the bits of the sequence's index are divided: the lower ones number the sample in its pixel, the upper ones the
+/// pixel in its square.
 struct BlueNoiseLayout {
   int sampleBits = 0;
   int pixelBits = 0;  ///< even; the square has 2^(pixelBits / 2) pixels in a row

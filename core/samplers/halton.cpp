@@ -66,7 +66,7 @@ std::uint32_t scrambledInverse(std::uint64_t index, std::uint64_t seed) {
 template <std::uint32_t base>
 std::uint32_t coordinate(std::uint32_t index, bool padded, HaltonKey key) {
   if constexpr (base == 2) {
-    // The same by hashing, which wants the fraction reversed: that is the index itself.
+    // The same by hashing, which needs the fraction reversed: that is the index itself.
     const std::uint32_t place = padded ? owenScramble(index, mixBits(key.second)) : index;
     return reverseBits(owenHash(place, mixBits(key.first)));
   } else {

@@ -5,10 +5,10 @@
 /// 1998 in place of all permutations: they map each pair of different digits to all such pairs equally often, and the
 /// variance depends on no more than that.
 ///
-/// Of a base far above the number of samples nothing is gained, so the bases are dealt to the purposes, the smallest to
-/// those that matter most, and begin again at each bounce. There they are padded: the index is shuffled in the base of
-/// the coordinate, so that coordinates of different bounces, and those of a later bounce among themselves, are
-/// independent. At bounce 0 all coordinates are stratified together.
+/// A base far above the number of samples gains nothing, so each purpose has two bases, the smallest for those that
+/// matter most, and every bounce uses the same ones. Later bounces are padded: the index is shuffled in the base of the
+/// coordinate, so that coordinates of different bounces, and those of a later bounce among themselves, are independent.
+/// At bounce 0 all coordinates are stratified together.
 #include <array>
 #include <cstdint>
 

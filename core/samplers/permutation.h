@@ -10,8 +10,8 @@
 namespace STERADIAN_API steradian {
 
 /// The image of `index` < count under the permutation that the four random words of `key` choose; count >= 1. Eight
-/// rounds of an invertible mixing on as many bits as count - 1 has, less than twice on average: of four, the images of
-/// two indices would not yet be independent.
+/// rounds of an invertible mixing on as many bits as count - 1 has, less than twice on average: after four rounds, the
+/// images of two indices would not yet be independent.
 template <class U>
 U permute(U index, std::uint32_t count, const std::array<U, 4>& key) {
   const int bits = static_cast<int>(std::bit_width(count - 1u));

@@ -100,7 +100,7 @@ class Sampler {
   Vec2<F> get2D(UintOf<F> bounce, Purpose purpose) const {
     const Uint dimension = dimensionOf(bounce, purpose);
     if (settings_.type != SamplerType::Sobol) return get2D(dimension);
-    // The same, without asking for purposes that it cannot have.
+    // The same, without testing for purposes that this dimension cannot have.
     return shuffleOf(purpose) != nullptr ? sobol2D(dimension, purpose) : sobol2D(dimension);
   }
 
@@ -134,7 +134,7 @@ class Sampler {
       const MaskOf<F> mine = dimension == dimensionOf(Uint(0u), purpose);
       if (!any(mine)) return;
       // A scramble turns the lowest bits of its word, the least random ones, into the highest of the coordinate. (Where
-      // the index is shuffled by a hash, this does no harm; here neighbouring pixels would be alike.)
+      // the index is shuffled by a hash, this does no harm; here neighbouring pixels would correlate.)
       index = select(mine, shuffledTogether(plainIndex_, *shuffleOf(purpose)), index);
       seedX = select(mine, mixBits(seedX), seedX);
       seedY = select(mine, mixBits(seedY), seedY);
@@ -151,7 +151,7 @@ class Sampler {
   }
   BlueNoiseLayout layout() const { return BlueNoiseLayout::of(sampleCount()); }
 
-  /// Replaces the index by what the type wants, and begins another sequence (`round`) where one ends.
+  /// Replaces the index by what the type needs, and begins another sequence (`round`) where one ends.
   void prepareIndex() {
     Uint round(0u);
     switch (settings_.type) {
@@ -229,18 +229,18 @@ class Sampler {
     const Uint block = dimension >> bits;
     Uint index = index_;
     if (any(block != Uint(0u))) {
-      // A nested scramble keeps the nets, and unties this block's points from those of the others.
+      // A nested scramble keeps the nets, and decorrelates this block's points from those of the others.
       index = select(block != Uint(0u), owenScramble(index, sequenceKey(~block)[3]), index);
     }
     // A scramble turns the lowest bits of its word, the least random ones, into the highest of the coordinate. (Where
-    // the index is shuffled too, this does no harm; here neighbouring pixels would be alike.)
+    // the index is shuffled too, this does no harm; here neighbouring pixels would correlate.)
     const Words key = sequenceKey(dimension);
     return owenSobolFull2D<F>(index, (dimension & Uint((1u << bits) - 1u)) << 1, mixBits(key[0]), mixBits(key[1]));
   }
 
   SamplerSettings settings_;
   Uint pixel_, sample_;
-  Uint index_;                  ///< in its sequence, as the type wants it: for Sobol and Pmj02 bit-reversed
+  Uint index_;                  ///< in its sequence, as the type needs it: for Sobol and Pmj02 bit-reversed
   Uint plainIndex_ = Uint(0u);  ///< for Sobol: in its sequence
   Uint sequence_ = Uint(0u);    ///< replicate; and the round, for types whose sequences end
 };

@@ -62,7 +62,7 @@ extern const SobolShuffle kSobolFirst, kSobolSecond, kSobolThird;
 /// The point of this index, scrambled.
 template <class F>
 inline Vec2<F> owenSobol2D(UintOf<F> index, UintOf<F> seedX, UintOf<F> seedY) {
-  // The hash wants reversed fractions: those are the digits themselves.
+  // The hash needs reversed fractions: those are the digits themselves.
   const auto point = reverseBits(owenHash(index, seedX), owenHash(pascalTimes(index), seedY));
   return {toUnitFloat<F>(point[0]), toUnitFloat<F>(point[1])};
 }

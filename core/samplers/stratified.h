@@ -1,5 +1,5 @@
 #pragma once
-/// Jittered strata in a random order, without a table: sample `place` of `count` knows its stratum.
+/// Jittered strata in a random order, without a table: the stratum of sample `place` of `count` is computed.
 #include <cmath>
 
 #include "steradian/core/samplers/permutation.h"

@@ -21,7 +21,7 @@ concept SimpleDirectionPdf = requires(const P& p, Vec2<F> u, Vec3<F> wi) {
   { p.pdf(wi) } -> std::convertible_to<F>;
 };
 
-/// One that first chooses among parts, with a random number of its own.
+/// A density whose sampling first chooses among parts, with a random number of its own.
 template <class P, class F>
 concept ChoosingDirectionPdf = requires(const P& p, F choice, Vec2<F> u, Vec3<F> wi) {
   { p.sample(choice, u) } -> std::same_as<DirectionSample<F>>;
@@ -43,7 +43,7 @@ DirectionSample<F> sampleDirectionPdf(const P& p, F choice, Vec2<F> u) {
   }
 }
 
-/// All directions alike: 1 / 4 pi.
+/// Uniform over all directions: 1 / 4 pi.
 template <class F>
 struct SpherePdf {
   DirectionSample<F> sample(Vec2<F> u) const { return {UniformSphere<F>::sample(u), F(kInvFourPi)}; }
@@ -51,8 +51,8 @@ struct SpherePdf {
   Vec2<F> invert(Vec3<F> wi) const { return UniformSphere<F>::invert(wi); }
 };
 
-/// All directions of the hemisphere about a unit axis alike: 1 / 2 pi. Directions below the horizon by a cosine of up
-/// to 2^-22 count as inside: they are samples, rounded.
+/// Uniform over the hemisphere about a unit axis: 1 / 2 pi. Directions below the horizon by a cosine of up to 2^-22
+/// count as inside: they are samples, rounded.
 template <class F>
 class HemispherePdf {
  public:

@@ -79,7 +79,7 @@ class PiecewiseConstant1D {
     const MaskOf<F> inside = (position >= F(0.0f)) & (x < F(high_));
     return select(inside, shareOf(detail::binOf(position, bins())) * F(1.0f / binWidth_), F(0.0f));
   }
-  /// The random number that x is made of; x outside is taken as the nearer end.
+  /// Inverse of sample(): the random number that gives x; x outside counts as the nearer end.
   template <class F>
   F invert(F x) const {
     const F position = clamp((x - F(low_)) / F(binWidth_), F(0.0f), F(static_cast<float>(size())));
@@ -134,7 +134,7 @@ class PiecewiseConstant2D {
     const Cell<F> c = cellOf(p);
     return select(inside, c.share * F(static_cast<float>(columns_)) * marginal_.pdf(p.y), F(0.0f));
   }
-  /// The random numbers that p is made of; coordinates outside are taken as the nearer edge.
+  /// Inverse of sample(): the random numbers that give p; coordinates outside count as the nearer edge.
   template <class F>
   Vec2<F> invert(Vec2<F> p) const {
     const Cell<F> c = cellOf(p);

@@ -9,7 +9,7 @@
 ///     const Interval i = confidenceInterval(e);   // holds 8/3 in 95 of 100 runs
 ///
 /// The function is given a `Sampler`: its coordinates are `get1D(d)` and `get2D(d)` for any dimensions d, each drawn
-/// once. So it does not know which kind of points it is evaluated at.
+/// once. It need not know which kind of sampler it is given.
 #include <algorithm>
 #include <cstdint>
 #include <limits>
@@ -30,9 +30,9 @@ constexpr double centred(float u) { return static_cast<double>(u) + 0x1p-25; }
 struct EstimateSettings {
   SamplerType sampler = SamplerType::Independent;
   std::uint32_t samples = 1u << 16;  ///< N, in all; at least 1
-  /// R, at least 1: of stratified and Sobol' points, R independently randomised sets of about N / R each tell the
-  /// error. Each set is smaller than one set of all, and for R = 1 the error is not known. Independent points need
-  /// none.
+  /// R, at least 1: with stratified and Sobol' points, the error is estimated from R independently randomised sets of
+  /// about N / R points. Each is smaller than one set of all points; for R = 1 the error is not known. Independent
+  /// points need none.
   std::uint32_t replicates = 16;
   std::uint32_t seed = 0;
   std::uint32_t stream = 0;  ///< other streams of the same seed are independent
@@ -51,7 +51,7 @@ struct Interval {
 };
 
 /// Holds the expected value with probability `confidence`, in (0, 1): the mean and Student's t times the standard error
-/// to both sides. All numbers where the error is not known. For means that are nearly normal
+/// to both sides. Unbounded where the error is not known. For means that are nearly normal
 /// (`core/statistics/standard_error.h`).
 Interval confidenceInterval(const MeanEstimate& estimate, double confidence = 0.95);
 
@@ -108,7 +108,7 @@ std::vector<Estimate> runningEstimates(Function&& f, const EstimateSettings& set
   return results;
 }
 
-/// The mean of f over settings.samples points. A value that is no number makes the mean none. Throws Error (Usage) for
+/// The mean of f over settings.samples points. A value that is NaN makes the mean NaN. Throws Error (Usage) for
 /// settings without samples or replicates.
 template <class Function>
 Estimate estimate(Function&& f, const EstimateSettings& settings = {}) {

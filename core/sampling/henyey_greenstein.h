@@ -16,7 +16,7 @@ namespace STERADIAN_API steradian {
 ///     u = (1 + |g|) h / (r (r + 1 - |g|)),   r = sqrt(d),
 ///
 /// in which nothing cancels: relative error of h and of the pdf below 2e-6 for every |g| up to 1 - 2^-20. A frame in
-/// world space rounds directions to 1e-7 rad: there |g| beyond 0.9999 is narrower than floats can tell.
+/// world space rounds directions to 1e-7 rad: there the lobe of |g| beyond 0.9999 is narrower than floats resolve.
 template <class F>
 struct HenyeyGreenstein {
   F g;

@@ -10,13 +10,13 @@
 namespace STERADIAN_API steradian {
 
 /// A density on [0, 1)^2 that is constant in each cell of a grid. A quad-tree of sums moves a point level by level: it
-/// goes to the upper or lower half, then to the left or right quarter, and is stretched to fill what it fell into. The
-/// two halves of a neighbourhood stay together in both directions, where the marginal and conditional of
-/// `PiecewiseConstant2D` shear rows against each other; and it changes piece by piece when one cell does.
+/// goes to the upper or lower half, then to the left or right quarter, and is stretched to fill what it fell into.
+/// Neighbouring points stay neighbours in both directions, while the marginal and conditional of `PiecewiseConstant2D`
+/// shear rows against each other; and when one cell changes, only the splits above it do.
 ///
 /// Built from weights >= 0 of any sum; all weights zero: uniform. A side that is no power of two is filled up with
-/// empty cells. Each split takes of the 24 bits of a random number what it decides: 2^-24 is the smallest probability
-/// of a half that can be told from 0, and gets no smaller. Lookups are lane-generic, read-only and never throw.
+/// empty cells. Each split uses up some of the 24 bits of a random number. The smallest probability of a half is 2^-24,
+/// unless it is 0. Lookups are lane-generic, read-only and never throw.
 class HierarchicalWarp {
  public:
   template <class F>
@@ -65,7 +65,7 @@ class HierarchicalWarp {
     }
     return select(inside, density, F(0.0f));
   }
-  /// The random numbers that p is made of; coordinates outside are taken as the nearer edge.
+  /// Inverse of sample(): the random numbers that give p; coordinates outside count as the nearer edge.
   template <class F>
   Vec2<F> invert(Vec2<F> p) const {
     const F x = clamp(p.x, F(0.0f), F(1.0f)) * F(static_cast<float>(columns_));

@@ -8,15 +8,15 @@
 namespace STERADIAN_API steradian {
 
 namespace detail {
-/// u, or half a step of the random numbers in place of 0.
+/// u, or 2^-25, half a step of the random numbers, in place of 0.
 template <class F>
 F positiveUnit(F u) {
   return maximum(u, F(0x1p-25f));
 }
 }  // namespace detail
 
-/// A density on [low, high] that goes straight from a multiple of `atLow` to the same multiple of `atHigh`; both are in
-/// [0, 1e18], at least one of them is 1e-18 or more. The book's x / 2 on [0, 2] is {0, 2, 0, 1}. The inverse of the
+/// A density on [low, high] that is linear from a multiple of `atLow` to the same multiple of `atHigh`; both are in [0,
+/// 1e18], at least one of them is 1e-18 or more. The book's x / 2 on [0, 2] is {0, 2, 0, 1}. The inverse of the
 /// cumulative is written so that it does not cancel for nearly equal ends (Pharr, Jakob & Humphreys, "Physically Based
 /// Rendering", 4th ed., 2.3.2).
 template <class F>

@@ -69,7 +69,7 @@ SampledInverseCdf::SampledInverseCdf(std::span<const WeightedPlace> samples, flo
     while (knots[k + 1].before < target) ++k;
     const Knot &a = knots[k], &b = knots[k + 1];
     const double t = (target - a.before) / (b.before - a.before);
-    // A bin narrower than floats can tell gets the width of one of their steps.
+    // A bin too narrow for floats gets the width of one of their steps.
     const auto edge = static_cast<float>(a.x + (b.x - a.x) * t);
     edges_.push_back(std::max(edge, std::nextafter(edges_.back(), high)));
   }

@@ -61,7 +61,7 @@ class SampledInverseCdf {
     const MaskOf<F> inside = (x >= first) & (x <= last);
     return select(inside, densityOf<F>(binAt(x)), F(0.0f));
   }
-  /// The random number that x is made of; x outside is taken as the nearer end.
+  /// Inverse of sample(): the random number that gives x; x outside counts as the nearer end.
   template <class F>
   F invert(F x) const {
     const F c = clamp(x, F(low()), F(high()));

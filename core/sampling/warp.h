@@ -1,5 +1,5 @@
 #pragma once
-/// Warps: maps from the unit square (or interval) to a domain, with the density of what they make.
+/// Warps: maps from the unit square (or interval) to a domain, with the density of the result.
 ///
 /// Each is a small value with `sample(u)`, `pdf(x)` and `invert(x)`: invert(sample(u)) is u up to rounding. Random
 /// numbers are in [0, 1) and may be 0; directions are local, with the axis along (0, 0, 1). Densities of directions are
@@ -51,8 +51,8 @@ struct UniformHemisphere {
 };
 
 /// Uniform directions of the cone with 1 - cos(theta) <= `oneMinusCosMax`, in [1e-37, 2]; pdf = 1 / (2 pi
-/// oneMinusCosMax). Stable for every angle that floats can tell from zero (Pharr, Jakob & Humphreys, "Physically Based
-/// Rendering", 4th ed., A.5.4, with the complement of the cosine as parameter).
+/// oneMinusCosMax). Stable for every angle that floats distinguish from zero (Pharr, Jakob & Humphreys, "Physically
+/// Based Rendering", 4th ed., A.5.4, with the complement of the cosine as parameter).
 template <class F>
 struct UniformCone {
   F oneMinusCosMax;
@@ -186,7 +186,7 @@ struct PowerCosineHemisphere {
   F exponent;
 
   Vec3<F> sample(Vec2<F> u) const {
-    // 1 - cos(theta) as it is: near the axis it would be lost in the cosine.
+    // 1 - cos(theta) directly: near the axis the cosine would lose its digits.
     const F h = F(0.0f) - exponentialMinusOne(logarithm(F(1.0f) - u.x) / (exponent + F(1.0f)));
     return directionOf(h, u.y);
   }

@@ -22,7 +22,7 @@ class WeightedReservoir {
     const F w = select(weight > F(0.0f), weight, F(0.0f));
     count_ += 1;
     accumulate(w);
-    // The first is taken whatever rounding makes of its weight.
+    // The first is taken even if its weight is lost by rounding.
     const MaskOf<F> first = empty();
     const F sum = total();
     const MaskOf<F> taken = (w > F(0.0f)) & (first | (u * sum < w));
@@ -53,7 +53,7 @@ class WeightedReservoir {
   F total() const { return total_ + rest_; }
   /// The probability with which the item was chosen: weight / total; 0 where empty.
   F probability() const { return select(empty(), F(0.0f), weight_ / total()); }
-  /// The number of items offered, whatever their weights.
+  /// The number of items offered, including those of weight 0.
   std::uint64_t count() const { return count_; }
 
  private:

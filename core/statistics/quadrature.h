@@ -43,7 +43,7 @@ template <class Function>
 double integrateParts(const Function& f, double low, double high, double tolerance, int splits) {
   constexpr int minSplits = 2, maxSplits = 50;
   const GaussKronrod whole = gaussKronrod(f, low, high);
-  // "Not above": a NaN ends the refinement and is returned as what it is.
+  // "Not above": a NaN ends the refinement and is returned.
   if (splits >= maxSplits || (splits >= minSplits && !(whole.difference > tolerance))) return whole.integral;
   const double middle = 0.5 * (low + high);
   return integrateParts(f, low, middle, tolerance, splits + 1) + integrateParts(f, middle, high, tolerance, splits + 1);

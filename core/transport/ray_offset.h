@@ -1,5 +1,5 @@
 #pragma once
-/// Origins that do not hit their own surface, by error bounds and not by an epsilon.
+/// Ray origins that avoid self-intersection, by error bounds and not by an epsilon.
 #include "steradian/core/math/ray.h"
 #include "steradian/core/transport/scattering.h"
 

@@ -9,7 +9,8 @@
 
 namespace STERADIAN_API steradian {
 
-/// What is carried along the path: it decides about refraction scaling and the adjoint of non-symmetric models.
+/// The quantity that is carried along the path: it determines the scaling at refraction and the adjoint of
+/// non-symmetric models.
 enum class Transport { Radiance, Importance };
 
 /// The pdf of a sample from a discrete set of directions (mirror, glass, point light).
@@ -77,12 +78,12 @@ void setLane(ScatterPoint<F>& p, int i, const ScatterPoint<float>& value) {
   setLane(p.time, i, value.time);
 }
 
-/// A direction towards something, with its density.
+/// A direction towards a shape or light, with its density.
 template <class F>
 struct DirectionSample {
   Vec3<F> wi;
   F pdf{0.0f};            ///< per sr; 0: no sample
-  F distance{kInfinity};  ///< to the sampled point, scene units; +inf when the sampler knows directions only
+  F distance{kInfinity};  ///< to the sampled point, scene units; +inf if only a direction was sampled
 };
 
 /// A point on a surface, with its density.
@@ -101,8 +102,8 @@ struct LightSample {
   F pdf{0.0f};       ///< per sr, selection included; kDirac for point, spot, distant; 0: no sample
 };
 
-/// What a ray that was not made by light sampling finds: radiance, and the density with which light sampling would
-/// have chosen this direction (0 where it never does).
+/// Emission found by a ray that was not made by light sampling: radiance, and the density with which light sampling
+/// would have chosen this direction (0 where it never does).
 template <class F>
 struct Emission {
   Spectrum<F> radiance;

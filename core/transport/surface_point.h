@@ -1,12 +1,13 @@
 #pragma once
-/// Where a ray met a surface. Geometry, materials and lights know one another only by the plain ids in here.
+/// The point where a ray hit a surface. Geometry, materials and lights refer to one another only by the plain ids in
+/// here.
 #include <cstdint>
 
 #include "steradian/core/math/vec.h"
 
 namespace STERADIAN_API steradian {
 
-/// "No such thing" among ids (material, light, instance, ...).
+/// The id of nothing: no material, light, instance, ...
 inline constexpr std::uint32_t kNone = 0xffffffffu;
 
 /// What the ray query returns: enough to compute the surface point later, for the rays that need it.
@@ -18,7 +19,7 @@ struct Hit {
   UintOf<F> shape{kNone};  ///< index into SceneDescription::shapes
   UintOf<F> primitive{kNone};  ///< index inside that shape's set
   UintOf<F> instance{kNone};   ///< index of the flattened instance, or kNone for a shape placed directly
-  UintOf<F> place{kNone};      ///< where the geometry keeps the primitive: for its own use
+  UintOf<F> place{kNone};      ///< where the geometry stores the primitive: for its own use
 };
 
 template <class F>

@@ -33,7 +33,7 @@ TEST(Accel, AutoIsFlatForFewPrimitivesAndBvh8ForMore) {
   EXPECT_EQ(chosen(withBalls(65)), Accel::Bvh8);
   EXPECT_EQ(chosen({}), Accel::Bvh8);
   EXPECT_EQ(planAccel(withBalls(5), {.maxClustersWithoutTree = 0}).accel, Accel::Bvh8);
-  // What Embree traverses does not count.
+  // What Embree traverses is not counted.
   SceneDescription scene = withBalls(10);
   scene.groups = {{"many", {scene.addShape("many", std::get<SphereSet>(withBalls(100).shapes[0].geometry), 0)}}};
   scene.instances = {{0, {Matrix(), Matrix()}, {}}};

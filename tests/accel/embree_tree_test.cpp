@@ -20,17 +20,17 @@ bool holds(const Bounds3& outer, const Bounds3& inner) {
   return isAtMost(outer.low, inner.low) && isAtMost(inner.high, outer.high);
 }
 
-/// What every tree must be: each thing in one leaf, bounds that hold all below them, no path too long.
+/// Checks the invariants of a tree: each cluster in one leaf, bounds that enclose all below them, no path too long.
 class TreeCheck {
  public:
-  TreeCheck(const embree::Device& device, const std::vector<Bounds3>& things, float padding = 0.0f)
-      : tree_(embree::buildTree(device, things, padding)), things_(things), seen_(things.size(), 0) {
-    for (Bounds3& b : things_) {
+  TreeCheck(const embree::Device& device, const std::vector<Bounds3>& clusters, float padding = 0.0f)
+      : tree_(embree::buildTree(device, clusters, padding)), clusters_(clusters), seen_(clusters.size(), 0) {
+    for (Bounds3& b : clusters_) {
       b.low = b.low - Vec3f{padding, padding, padding};
       b.high = b.high + Vec3f{padding, padding, padding};
     }
     check(0, {{-kInfinity, -kInfinity, -kInfinity}, {kInfinity, kInfinity, kInfinity}}, 1);
-    EXPECT_EQ(std::count(seen_.begin(), seen_.end(), 1), static_cast<std::ptrdiff_t>(things.size()));
+    EXPECT_EQ(std::count(seen_.begin(), seen_.end(), 1), static_cast<std::ptrdiff_t>(clusters.size()));
   }
 
  private:
@@ -43,10 +43,10 @@ class TreeCheck {
       if (bounds.empty()) continue;
       EXPECT_TRUE(holds(around, bounds));
       if (node.child[i] & ClusterTree::kLeaf) {
-        const std::uint32_t thing = node.child[i] & ~ClusterTree::kLeaf;
-        ASSERT_LT(thing, things_.size());
-        ++seen_[thing];
-        EXPECT_TRUE(holds(bounds, things_[thing]));
+        const std::uint32_t cluster = node.child[i] & ~ClusterTree::kLeaf;
+        ASSERT_LT(cluster, clusters_.size());
+        ++seen_[cluster];
+        EXPECT_TRUE(holds(bounds, clusters_[cluster]));
       } else {
         EXPECT_GT(node.child[i], number);
         check(node.child[i], bounds, depth + 1);
@@ -55,7 +55,7 @@ class TreeCheck {
   }
 
   const ClusterTree tree_;
-  std::vector<Bounds3> things_;
+  std::vector<Bounds3> clusters_;
   std::vector<int> seen_;
 };
 
@@ -63,12 +63,12 @@ TEST(EmbreeTree, HoldsEachThingOnceWithinItsBounds) {
   const embree::Device device;
   Random random(1);
   for (const std::size_t count : {2u, 8u, 9u, 100u, 5000u}) {
-    std::vector<Bounds3> things(count);
-    for (Bounds3& b : things) {
+    std::vector<Bounds3> clusters(count);
+    for (Bounds3& b : clusters) {
       b.include(random.point(10.0f));
       b.include(b.low + random.point(1.0f));
     }
-    TreeCheck(device, things, 0.01f);
+    TreeCheck(device, clusters, 0.01f);
   }
   EXPECT_TRUE(embree::buildTree(device, {}, 0.0f).nodes.empty());
   const Bounds3 one{{0.0f, 0.0f, 0.0f}, {1.0f, 1.0f, 1.0f}};
@@ -81,7 +81,7 @@ TEST(EmbreeTree, ThingsInOnePlaceMakeNoTreeTooDeep) {
   const Bounds3 one{{0.0f, 0.0f, 0.0f}, {1.0f, 1.0f, 1.0f}};
   const std::vector<Bounds3> same(20000, one);
   TreeCheck(device, same);
-  // Each a third of the one before: no plane parts more than one from the others.
+  // Each a third of the one before: no plane separates more than one from the others.
   std::vector<Bounds3> nested;
   for (float size = 1e30f; size > 1e-30f; size /= 3.0f) nested.push_back({{0.0f, 0.0f, 0.0f}, {size, size, size}});
   TreeCheck(device, nested);
@@ -134,7 +134,7 @@ void expectATreeChangesNoHit(int many) {
     tree.intersect(ray, kNone, hit);
     ASSERT_NO_FATAL_FAILURE(expectSame(hit, expected));
     ASSERT_EQ(tree.occluded(ray), all.occluded(ray));
-    // With a hit found elsewhere before.
+    // With an earlier hit, found elsewhere.
     LeafHit before{random.uniform(1.0f, 8.0f), 0.5f, 0.5f, 2, 7, kNone}, alsoBefore = before;
     all.intersect(ray, kNone, before);
     tree.intersect(ray, kNone, alsoBefore);
@@ -148,7 +148,7 @@ TEST(EmbreeTree, ChangesNoHit) {
   for (const int many : {1, 2, 10}) expectATreeChangesNoHit(many);
 }
 
-// Copies of one quad fill several clusters, whatever the order in which the tree shows them.
+// Copies of one quad fill several clusters, in any order in which the tree is traversed.
 TEST(EmbreeTree, EquallyNearHitsGoToTheSmallestId) {
   SceneDescription scene;
   std::vector<Id> shapes;

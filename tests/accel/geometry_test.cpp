@@ -51,7 +51,7 @@ TEST(Geometry, PacketsFindTheHitsOfSingleRays) {
           ASSERT_NO_FATAL_FAILURE(expectSame(geometry.intersect(rays[i]), hits[i]));
       }
     }
-    // Custom shapes are Embree's, so both ask it.
+    // Custom shapes are traversed by Embree, so both use it.
     EXPECT_EQ(counts.rays, 100u * 36u);
     EXPECT_GT(counts.callbacks, 0u);
     std::vector<Ray<float>> nine(9);
@@ -350,7 +350,7 @@ TEST(Geometry, StatisticsCountWhatIsThere) {
   EXPECT_EQ(s.triangles, 320u);
   EXPECT_EQ(s.custom, 2u);
   EXPECT_GE(s.clusters, 6u * 40u);
-  EXPECT_LE(s.clusters, 6u * 40u + 12u);  // and a few primitives that are giants where they are
+  EXPECT_LE(s.clusters, 6u * 40u + 12u);  // and a few primitives oversized in their clusters
   // 6 to 12 rows of 8 numbers a cluster, and the hierarchy.
   EXPECT_GT(s.bytes, s.clusters * 6 * 32);
   EXPECT_LT(s.bytes, s.clusters * (12 * 32 + 256) + (1u << 18));  // and Embree's of the custom shapes
@@ -388,7 +388,7 @@ void waitUntilOthersSleep() {
 }
 
 TEST(Geometry, BuildsStayInTheArenaOfTheCaller) {
-  // In an arena of one thread that thread does all the work: what the process computes, it computes.
+  // In an arena of one thread that thread does all the work, so its CPU time is that of the process.
   const auto scene = std::make_shared<SceneDescription>(randomScene(12, 6000));
   tbb::task_arena arena(1);
   arena.execute([&] {

@@ -1,5 +1,5 @@
 #pragma once
-/// Rays that leave surfaces must not meet them again.
+/// Rays that leave surfaces must not hit them again.
 #include <optional>
 
 #include "steradian/accel/geometry.h"
@@ -48,9 +48,9 @@ struct Leaks {
   int points = 0, touched = 0, escaped = 0;
 };
 
-/// Rays leave random points of `geometry`'s single convex primitive: outwards they must not meet it again, and inwards
-/// (closed shapes) they must, and not at once. `size` is that of the shape in the world. Of what moves, at one
-/// time, when it is within `place`.
+/// Rays leave random points of `geometry`'s single convex primitive: outwards they must not hit it again, and inwards
+/// (closed shapes) they must, but not at once. `size` is that of the shape in the world. Moving shapes are tested at
+/// one time, at which they are within `place`.
 inline void leaveBy(const Geometry& geometry, bool closed, Random& random, float size, Leaks& leaks, float time = 0.0f,
                     std::optional<Bounds3> place = std::nullopt) {
   const Bounds3 bounds = place.value_or(geometry.bounds());

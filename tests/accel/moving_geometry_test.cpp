@@ -1,4 +1,4 @@
-/// What moves is met where it is at the ray's time.
+/// Moving shapes are hit where they are at the ray's time.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -49,7 +49,7 @@ struct Placed {
   std::optional<MovingTransform> place = std::nullopt;   ///< of the instance
 };
 
-/// The nearest hit of a loop over everything that is placed.
+/// The nearest hit, by a loop over all placed shapes.
 Hit<float> loopOver(const std::vector<Placed>& all, const std::vector<Geometry>& shapes, const Ray<float>& ray) {
   Hit<float> best;
   for (const Placed& placed : all) {
@@ -257,7 +257,7 @@ TEST(MovingGeometry, BoundsAndStatistics) {
   EXPECT_EQ(geometry.statistics().spheres, 1u);
   EXPECT_EQ(geometry.statistics().clusters, 1u);
   EXPECT_GT(geometry.statistics().bytes, 500u);
-  // Both motions add up.
+  // Both motions are composed.
   const Ray<float> ray{{2.5f, 1.5f, 9.0f}, {0.0f, 0.0f, -1.0f}, kInfinity, 0.5f};
   EXPECT_NEAR(geometry.intersect(ray).t, 8.0f, 1e-5f);
   EXPECT_EQ(geometry.intersect(ray).instance, kNone);
@@ -331,7 +331,7 @@ TEST_P(LeavingRaysInMotion, DoNotMeetTheSurfaceTheyLeave) {
                               {.accel = {.accel = round % 3 ? Accel::Auto : Accel::Embree,
                                          .maxClustersWithoutTree = round % 2 ? 0u : 64u,
                                          .maxClusteredTriangles = round % 4 ? 100u : 0u}});
-      // Where it is then.
+      // // Where it is at that time.
       const Geometry still(std::make_shared<SceneDescription>(frozen(moving, time)));
       leaveBy(geometry, isClosed(kind), random, size, leaks, time, still.bounds());
     }

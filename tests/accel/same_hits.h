@@ -8,16 +8,16 @@ namespace steradian::test {
 
 inline constexpr std::uint32_t kAlways = 0xffffffffu;
 
-/// A loop over everything, without a hierarchy.
+/// A loop over all clusters, without a hierarchy.
 inline GeometrySettings direct() {
   return {.accel = {.maxClustersWithoutTree = kAlways, .maxClusteredTriangles = kAlways}};
 }
-/// Our hierarchy over anything.
+/// Our hierarchy, even over few primitives.
 inline GeometrySettings hierarchy() {
   return {.accel = {.maxClustersWithoutTree = 0, .maxClusteredTriangles = kAlways}};
 }
 
-/// Embree's hierarchy over anything.
+/// Embree's hierarchy, even over few primitives.
 inline GeometrySettings embreeHierarchy() {
   return {.accel = {.accel = Accel::Embree, .maxClusteredTriangles = kAlways}};
 }

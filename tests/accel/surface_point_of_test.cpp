@@ -9,8 +9,8 @@
 namespace steradian::test {
 namespace {
 
-/// The point where a ray meets the only shape of a scene.
-SurfacePoint<float> meet(const ShapeGeometry& shape, const Ray<float>& ray) {
+/// The point where a ray hits the only shape of a scene.
+SurfacePoint<float> surfacePointAt(const ShapeGeometry& shape, const Ray<float>& ray) {
   SceneDescription scene;
   scene.addShape("shape", shape, 5);
   const Geometry geometry(std::make_shared<SceneDescription>(scene));
@@ -30,7 +30,7 @@ TEST(SurfacePoint, SphereHasTheBooksParameters) {
   } cases[] = {{{1, 0, 0}, 0.50f, 0.50f},  {{0, 1, 0}, 0.50f, 1.00f},  {{0, 0, 1}, 0.25f, 0.50f},
                {{0, -1, 0}, 0.50f, 0.00f}, {{0, 0, -1}, 0.75f, 0.50f}, {{-1, 0, 0}, 0.00f, 0.50f}};
   for (const auto& c : cases) {
-    const SurfacePoint<float> p = meet(set, {Vec3f{1.0f, 2.0f, 3.0f} + c.normal * 5.0f, -c.normal});
+    const SurfacePoint<float> p = surfacePointAt(set, {Vec3f{1.0f, 2.0f, 3.0f} + c.normal * 5.0f, -c.normal});
     ASSERT_TRUE(p.valid);
     expectNear(p.geometricNormal, c.normal);
     expectNear(p.position, Vec3f{1.0f, 2.0f, 3.0f} + c.normal * 2.0f);
@@ -46,13 +46,13 @@ TEST(SurfacePoint, SphereHasTheBooksParameters) {
     EXPECT_LE(p.uv.x, 1.0f);
   }
   // From inside the normal is still outward.
-  expectNear(meet(set, {{1.0f, 2.0f, 3.0f}, {0.0f, 0.0f, 1.0f}}).geometricNormal, {0.0f, 0.0f, 1.0f});
+  expectNear(surfacePointAt(set, {{1.0f, 2.0f, 3.0f}, {0.0f, 0.0f, 1.0f}}).geometricNormal, {0.0f, 0.0f, 1.0f});
 }
 
 TEST(SurfacePoint, QuadHasParametersAlongItsEdges) {
   QuadSet set;
   addTo(set, {{1.0f, 1.0f, 1.0f}, {2.0f, 0.0f, 0.0f}, {0.0f, 4.0f, 0.0f}});
-  const SurfacePoint<float> p = meet(set, {{1.5f, 4.0f, 3.0f}, {0.0f, 0.0f, -1.0f}});
+  const SurfacePoint<float> p = surfacePointAt(set, {{1.5f, 4.0f, 3.0f}, {0.0f, 0.0f, -1.0f}});
   ASSERT_TRUE(p.valid);
   expectNear(p.position, {1.5f, 4.0f, 1.0f});
   expectNear(p.geometricNormal, {0.0f, 0.0f, 1.0f});
@@ -66,7 +66,7 @@ TEST(SurfacePoint, DiskHasAngleAndRadius) {
   const Frame<float> frame = Frame<float>::fromZ({0.0f, 1.0f, 0.0f});
   for (const float angle : {0.1f, 0.3f, 0.6f, 0.9f}) {
     const Vec3f offset = frame.x * std::cos(kTwoPi * angle) + frame.y * std::sin(kTwoPi * angle);
-    const SurfacePoint<float> p = meet(set, {offset + Vec3f{0.0f, -3.0f, 0.0f}, {0.0f, 1.0f, 0.0f}});
+    const SurfacePoint<float> p = surfacePointAt(set, {offset + Vec3f{0.0f, -3.0f, 0.0f}, {0.0f, 1.0f, 0.0f}});
     ASSERT_TRUE(p.valid);
     expectNear(p.position, offset + Vec3f{0.0f, 1.0f, 0.0f});
     expectNear(p.geometricNormal, {0.0f, 1.0f, 0.0f});
@@ -87,7 +87,7 @@ TEST(SurfacePoint, BoxFacesHaveTheBooksParameters) {
                {{-1, 0, 0}, 0.75f, 0.75f}, {{0, 1, 0}, 0.75f, 0.25f}, {{0, -1, 0}, 0.75f, 0.75f}};
   for (const auto& c : cases) {
     const Vec3f inPlane = Vec3f{0.5f, 1.0f, 1.5f} * (Vec3f{1.0f, 1.0f, 1.0f} - absolute(c.normal));
-    const SurfacePoint<float> p = meet(set, {inPlane + c.normal * 10.0f, -c.normal});
+    const SurfacePoint<float> p = surfacePointAt(set, {inPlane + c.normal * 10.0f, -c.normal});
     ASSERT_TRUE(p.valid);
     expectNear(p.geometricNormal, c.normal);
     EXPECT_NEAR(p.uv.x, c.u, 1e-5f);
@@ -97,7 +97,7 @@ TEST(SurfacePoint, BoxFacesHaveTheBooksParameters) {
   const float h = std::sqrt(0.5f);
   set.rotationW = {h};
   set.rotationY = {h};
-  const SurfacePoint<float> p = meet(set, {{0.0f, 0.0f, 0.0f}, {1.0f, 0.0f, 0.0f}});
+  const SurfacePoint<float> p = surfacePointAt(set, {{0.0f, 0.0f, 0.0f}, {1.0f, 0.0f, 0.0f}});
   expectNear(p.position, {3.0f, 0.0f, 0.0f});
   expectNear(p.geometricNormal, {1.0f, 0.0f, 0.0f});
 }
@@ -106,7 +106,7 @@ TEST(SurfacePoint, MeshesInterpolateNormalsAndParameters) {
   TriangleMesh mesh;
   addTo(mesh, {0.0f, 0.0f, 0.0f}, {1.0f, 0.0f, 0.0f}, {0.0f, 1.0f, 0.0f});
   const Ray<float> ray{{0.5f, 0.25f, 3.0f}, {0.0f, 0.0f, -1.0f}};
-  SurfacePoint<float> p = meet(mesh, ray);
+  SurfacePoint<float> p = surfacePointAt(mesh, ray);
   ASSERT_TRUE(p.valid);
   expectNear(p.geometricNormal, {0.0f, 0.0f, 1.0f});
   expectNear(p.shadingNormal, {0.0f, 0.0f, 1.0f});
@@ -115,19 +115,19 @@ TEST(SurfacePoint, MeshesInterpolateNormalsAndParameters) {
   const Vec3f a = normalize(Vec3f{0.0f, 0.3f, 1.0f}), b = normalize(Vec3f{0.5f, 0.0f, 1.0f}), c{0.0f, 0.0f, 1.0f};
   mesh.normals = {a, b, c};
   mesh.uvs = {{0.0f, 0.0f}, {0.0f, 1.0f}, {1.0f, 1.0f}};
-  p = meet(mesh, ray);
+  p = surfacePointAt(mesh, ray);
   expectNear(p.geometricNormal, {0.0f, 0.0f, 1.0f});
   expectNear(p.shadingNormal, normalize(a * 0.25f + b * 0.5f + c * 0.25f));
   EXPECT_NEAR(p.uv.x, 0.25f, 1e-6f);
   EXPECT_NEAR(p.uv.y, 0.75f, 1e-6f);
   // Normals that point the other way are turned to the side of the geometric one.
   for (Vec3f& n : mesh.normals) n = -n;
-  EXPECT_GT(dot(meet(mesh, ray).shadingNormal, Vec3f{0.0f, 0.0f, 1.0f}), 0.5f);
+  EXPECT_GT(dot(surfacePointAt(mesh, ray).shadingNormal, Vec3f{0.0f, 0.0f, 1.0f}), 0.5f);
 }
 
 TEST(SurfacePoint, CustomShapesGiveTheirOwnNormal) {
   const CustomShapeSet set{{std::make_shared<Slab>(2.0f, 1.0f)}};
-  const SurfacePoint<float> p = meet(set, {{1.0f, 0.0f, -3.0f}, {0.0f, 0.0f, 1.0f}});
+  const SurfacePoint<float> p = surfacePointAt(set, {{1.0f, 0.0f, -3.0f}, {0.0f, 0.0f, 1.0f}});
   ASSERT_TRUE(p.valid);
   expectNear(p.position, {1.0f, 0.0f, 1.0f});
   expectNear(p.geometricNormal, {0.0f, 0.0f, 1.0f});

@@ -67,7 +67,7 @@ SceneDescription everything(int count) {
   return scene;
 }
 
-/// Returns on how many kinds of places points were compared, as bits: direct, instance, beyond.
+/// Returns for which placements points were compared, as bits: direct, instance, beyond.
 void expectPointsOfSingleRays(const SceneDescription& description, const GeometrySettings& settings) {
   const Geometry geometry(std::make_shared<SceneDescription>(description), settings);
   Random random(33);

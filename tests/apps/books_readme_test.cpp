@@ -1,4 +1,4 @@
-/// apps/books/README.md: every file that its tables name exists, and has the words that stand behind it.
+/// apps/books/README.md: every file that its tables name exists, and contains the words listed with it.
 #include <gtest/gtest.h>
 
 #include <algorithm>

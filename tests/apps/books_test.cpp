@@ -46,7 +46,7 @@ TEST(Books, EveryPictureHasItsOwnNameAndACommandThatParses) {
         ASSERT_TRUE(options.display.has_value());
         EXPECT_NO_THROW(makeIntegrator(options.integrator));
       }
-      // What no command can render is biased, and the page says why.
+      // A picture that no command can render is biased, and its page says why.
       EXPECT_TRUE(picture.mistake == Mistake::None || !picture.bias.empty());
     }
   }
@@ -81,8 +81,8 @@ TEST(Books, TextIsEscaped) {
   EXPECT_NE(table({"a&b"}, {{{"<i>1</i>"}}}).find("<th>a&amp;b</th></tr>\n<tr><td><i>1</i></td>"), std::string::npos);
 }
 
-/// One sphere around the camera and everything: light comes after any number of bounces, so that what a bounce weighs
-/// shows. A mistake of w per bounce makes the radiance e / (1 - w a) of e / (1 - a).
+/// One sphere around the camera and everything: light arrives after any number of bounces, so that the weight of a
+/// bounce shows. A mistake of w per bounce makes the radiance e / (1 - w a) of e / (1 - a).
 double furnace(Mistake mistake, float albedo) {
   SceneDescription d;
   const Id white = d.addMaterial("white", LambertMaterial{d.addColour(grey(albedo))});
@@ -130,7 +130,7 @@ TEST(Books, MeasuresTheDefaultSettingsAsGoodAsThemselves) {
   EXPECT_GT(test::zTestPValue(m.bias, m.biasError, 0.0, 0.02), test::suiteLevel());
 }
 
-// Without indirect light a fifth of the light is missing, whatever the noise.
+// Without indirect light a fifth of the light is missing, far more than noise.
 TEST(Books, MeasuresBias) {
   Measurer measurer(Effort{true});
   const auto measured = [&](const char* integrator) {
@@ -144,7 +144,7 @@ TEST(Books, MeasuresBias) {
   EXPECT_LT(light.bias, -0.15);
   EXPECT_LT(light.biasError, 0.03);
   EXPECT_GT(chance.biasError, light.biasError);
-  // A hundred times the error: no mood of the machine turns that around.
+  // A hundred times the error: no change of the machine's speed outweighs that.
   ASSERT_TRUE(chance.ratio.has_value());
   EXPECT_LT(*chance.ratio, 0.5);
 }

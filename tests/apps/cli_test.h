@@ -52,7 +52,7 @@ class CliTest : public testing::Test {
   std::filesystem::path directory_;
 };
 
-/// Complaints are one line each, which begins with "error: ", and maybe a hint at the end.
+/// Errors are one line each, which begins with "error: ", and possibly a hint at the end.
 inline void expectComplaints(const Outcome& outcome, int exitCode, const std::vector<std::string_view>& parts) {
   EXPECT_EQ(outcome.exitCode, exitCode) << outcome.error;
   EXPECT_EQ(outcome.output, "");

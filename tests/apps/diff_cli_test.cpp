@@ -50,7 +50,7 @@ TEST_F(Diff, DifferentPictures) {
   EXPECT_NEAR(image("map.exr").at(3, 3, 0), std::sqrt(0.0625f / 0.26f), 1e-6f);
 }
 
-TEST_F(Diff, PixelsThatErrAlikeAreNotTakenForIndependent) {
+TEST_F(Diff, CorrelatedPixelsAreNotTakenForIndependent) {
   write("exact.exr", 0.5f, 0.0f);
   write("alone.exr", 0.51f, 0.01f);
   Image shared = image("alone.exr");

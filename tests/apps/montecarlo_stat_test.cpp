@@ -1,5 +1,5 @@
 /// Every programme of `steradian-montecarlo` estimates what it says, with every kind of points, and its errors fall as
-/// theory has it.
+/// theory predicts.
 #include <cmath>
 
 #include "steradian/apps/montecarlo/error_study.h"
@@ -52,7 +52,7 @@ TEST(ProgrammeEstimates, VariancesAreTheExactOnes) {
 }
 
 TEST(Metropolis, ManyStopsFollowTheCurve) {
-  // Neighbours are alike, so the programmes' common number of samples says little here.
+  // Successive stops are correlated, so the usual number of samples of this file would be too small.
   for (const Result& result : findProgramme("metropolis")->run({.samples = 1u << 21, .seed = 6}))
     EXPECT_GT(pValue(result), suiteLevel()) << result.label << ": " << result.estimate.mean;
 }

@@ -122,7 +122,8 @@ TEST(BookFigures, AllAreNoiseOfTheirOwnNumberOfSamples) {
     }
   }
   EXPECT_EQ(figures, 8);
-  // 2.016 is 1.0 standard errors low, so it is noise; but a run of a million samples tells it from the exact value.
+  // 2.016 is 1.0 standard errors low, so it is noise; but a run of a million samples distinguishes it from the exact
+  // value.
   const Result halfway = run("halfway", 1u << 20).back();
   EXPECT_NEAR(halfway.book.front().deviation(halfway.exact), -1.02, 0.02);
   EXPECT_FALSE(halfway.interval.contains(halfway.book.front().printed));

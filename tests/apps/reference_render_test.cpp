@@ -184,9 +184,9 @@ TEST(Reference, OnePercentTooBrightIsFound) {
 
 /// The tall box is fog, and fog fills a ball of water; `anisotropy`: of the fog.
 ///
-/// The box stands on the floor. A ray of pbrt's that goes down inside of it meets box or floor first, as rounding has
-/// it, and if it is the box goes on from behind the floor: half of them are lost. Here half of the light is, under the
-/// box.
+/// The box stands on the floor. A ray of pbrt's that goes down inside of it hits box or floor first, depending on
+/// rounding, and after the box it continues from below the floor: half of these rays are lost. Here half of the light
+/// is lost, by the floor under the box.
 SceneDescription foggyRoom(float anisotropy, float floorUnderBox = 0.5f * 0.73f) {
   SceneDescription scene = greyed("cornell-box");
   scene.defaults.maxDepth = 100;
@@ -254,8 +254,8 @@ SceneDescription texturedRoom(bool mirrored = false) {
   return scene;
 }
 
-// pbrt blurs the edges of its checkerboard over about a fifth of a pixel, across the border of the floor as well, where
-// its cells go on: up to 3 % of a block.
+// pbrt filters its checkerboard over about a fifth of a pixel, also at the border of the floor, beyond which its cells
+// continue: this changes a block by up to 3 %.
 const ZTestSettings kBlurred{.roundOffFloor = 0.01};
 
 TEST(Reference, Textures) { expectAgreement(renderScene(texturedRoom(), "path", 128), "textures", kBlurred); }

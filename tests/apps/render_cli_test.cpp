@@ -1,4 +1,4 @@
-/// What `steradian render` writes, and where.
+/// What `steradian render` writes, and where to.
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>

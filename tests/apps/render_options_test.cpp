@@ -17,7 +17,7 @@ RenderOptions parse(Words words, const std::string& scene = "cornell-box") {
   RenderTexts texts;
   declareRenderOptions(command, texts);
   words.insert(words.begin(), scene);
-  std::reverse(words.begin(), words.end());  // CLI11 wants them so
+  std::reverse(words.begin(), words.end());  // the order that CLI11 expects
   command.parse(words);
   Arguments arguments;
   return checkRenderOptions(texts, arguments);
@@ -192,7 +192,7 @@ TEST(RenderOptions, NumbersThatMakeNoSense) {
     EXPECT_TRUE(contains(complaint({"--filter", filter}), "--filter's radius")) << filter;
 }
 
-TEST(RenderOptions, NamesThatNobodyKnows) {
+TEST(RenderOptions, UnknownNames) {
   const std::vector<std::pair<Words, const char*>> mistakes{
       {{"-o", "a.gif"}, R"(unknown extension "gif")"},
       {{"-o", "picture"}, "has no extension"},
@@ -227,7 +227,7 @@ TEST(RenderOptions, NamesThatNobodyKnows) {
   for (const auto& [words, part] : mistakes) EXPECT_TRUE(contains(complaint(words), part));
 }
 
-TEST(RenderOptions, ScenesThatNobodyKnows) {
+TEST(RenderOptions, UnknownScenes) {
   EXPECT_TRUE(contains(complaint({}, "cornell-bx"), R"((did you mean "cornell-box"?))"));
   EXPECT_TRUE(contains(complaint({}, ""), R"(unknown scene "")"));
   EXPECT_TRUE(contains(complaint({}, "cornell-city"), "needs a whole number N"));

@@ -55,7 +55,7 @@ TEST(NextWeekFinal, IsTheSameWithAndWithoutInstances) {
     const Scene scene(scenes::nextWeekFinal(instanced));
     return render(scene, *makeIntegrator("path").integrator, settings).film.image();
   };
-  // Rounding sends a few paths elsewhere.
+  // Rounding changes a few paths.
   EXPECT_LT(relMSE(picture(false), picture(true)), 1e-3);
 }
 

@@ -1,4 +1,4 @@
-/// Ctrl-C and SIGTERM: the picture is saved as far as it is.
+/// Ctrl-C and SIGTERM: the unfinished picture is saved.
 #include <csignal>
 
 #include "steradian/tests/apps/cli_test.h"

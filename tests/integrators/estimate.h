@@ -21,7 +21,7 @@ Estimate meanOf(const Scene& scene, const Integrator& integrator, int size, std:
 /// Whether two independent estimates have the same expectation, at the suite's level; differences below 1e-4 of the
 /// mean do not count.
 testing::AssertionResult agree(const Estimate& a, const Estimate& b);
-/// The same for a number that is known.
+/// The same for a known value.
 testing::AssertionResult agree(const Estimate& a, double expected);
 
 }  // namespace steradian::test

@@ -1,4 +1,4 @@
-/// Motion blur is the mean of still pictures, and every strategy finds the light of what moves.
+/// Motion blur is the mean of still pictures, and every strategy finds the light of moving emitters.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -119,7 +119,7 @@ TEST(MotionBlur, OfALightIsItsMeanIrradiance) {
 
 TEST(MotionBlur, StrategiesAgree) {
   for (SceneDescription description : {test::movingLights(), test::everythingMoves()}) {
-    // What is aimed at moves too.
+    // The sampling targets move too.
     for (ShapeDescription& shape : description.shapes) {
       shape.target = shape.emission != kNone || shape.name == "tumbling" || shape.name == "rolling";
     }

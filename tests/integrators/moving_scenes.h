@@ -1,5 +1,5 @@
 #pragma once
-/// Rooms in which something moves while the shutter is open, and what they are at one time of it.
+/// Rooms with motion while the shutter is open, and the same rooms frozen at one time.
 #include "steradian/core/scene/description.h"
 
 namespace steradian::test {
@@ -18,7 +18,7 @@ SceneDescription movingLights();
 /// All of that.
 SceneDescription everythingMoves();
 
-/// The scene at `time`, at rest: what moves by itself is an instance there.
+/// The scene at `time`, at rest: shapes with a motion of their own become instances.
 SceneDescription frozen(const SceneDescription& scene, float time);
 
 }  // namespace steradian::test

@@ -1,5 +1,5 @@
 #pragma once
-/// Scenes of a few shapes, whose light is known or quick to estimate.
+/// Scenes of a few shapes, whose radiance is known or quick to estimate.
 #include "steradian/core/scene/description.h"
 #include "steradian/integrators/render/render_settings.h"
 
@@ -23,7 +23,7 @@ SceneDescription sphereInSky(MaterialModel material);
 SceneDescription floorPoint();
 
 /// A room of 2 x 2 x 2 about the origin, open to the camera at +z, 40 % grey, with a light of 0.8 x 0.8 and radiance 5
-/// under the ceiling. What else is in it, the tests add.
+/// under the ceiling. Tests add objects to it.
 SceneDescription room();
 
 /// A few shapes on a white floor under a picture of a sky, 16 x 8, with a bright pixel in it.

@@ -1,5 +1,5 @@
 #pragma once
-/// The direct-light strategies of the path integrator, against one another and against numbers that are known.
+/// The direct-light strategies of the path integrator, against one another and against known values.
 #include "steradian/integrators/path/path.h"
 #include "steradian/tests/integrators/estimate.h"
 

@@ -18,7 +18,7 @@ SceneDescription colouredRoom();
 /// Under the sky, with a distant light and a lamp: paths leave the scene.
 SceneDescription openScene();
 
-/// However many clusters there are, without a hierarchy.
+/// Without a hierarchy, for up to 64 clusters.
 inline const SceneSettings kFlat{.geometry = {.accel = {.maxClustersWithoutTree = 64}}, .lights = {}};
 
 struct Rendered {

@@ -13,8 +13,8 @@ namespace fs = std::filesystem;
 
 constexpr int kLongestFile = 450;
 
-/// A folder of the house. Its sub-rooms stand in the order in which they may include each other: each knows itself and
-/// those before it. Files that lie in the room itself know all of them.
+/// A top-level folder. Its sub-rooms are listed in the order in which they may include each other: each may include
+/// itself and those before it. Files in the room itself may include all of them.
 struct Room {
   std::string_view folder;
   std::vector<std::string_view> mayKnow;
@@ -56,7 +56,7 @@ std::size_t orderOf(const Room& room, std::string_view path) {
   return static_cast<std::size_t>(at - room.subRooms.begin());
 }
 
-/// Whether the file lies where the house has a place for it.
+/// Whether the file is in a sub-room, or in a room that may hold files.
 bool isPlaced(const Room& room, std::string_view path) {
   if (room.subRooms.empty() || orderOf(room, path) < room.subRooms.size()) return true;
   return room.holdsFiles && path.find('/', room.folder.size()) == path.npos;
@@ -124,7 +124,7 @@ class Inspector {
   bool isEmbreeFile() const { return path_.starts_with("accel/embree_"); }
   bool isPublicHeader() const { return isHeader() && !isEmbreeFile() && !startsWithAny(path_, {"apps/", "tests/"}); }
 
-  /// Installed, because others include it, but not shown by a shared library.
+  /// Installed, because others include it, but not exported by a shared library.
   bool isInternalHeader() const { return path_.ends_with("_kernels.h"); }
 
   void violation(const std::string& text) {
@@ -168,7 +168,7 @@ class Inspector {
     if (startsWithAny(name,
                       {"immintrin.h", "x86intrin.h", "arm_neon.h", "experimental/simd", "simd", "hwy/", "xsimd/"}))
       simd(name);
-    // Programs and tests make arenas of their own; build_info.cpp asks for the version.
+    // Programs and tests make arenas of their own; build_info.cpp reads the version.
     if (startsWithAny(name, {"tbb/", "oneapi/"}) && name != "tbb/version.h" && path_ != "core/base/parallel.h" &&
         !startsWithAny(path_, {"apps/", "tests/"}))
       violation("only core/base/parallel.h may include " + std::string(name));
@@ -203,7 +203,7 @@ Findings inspect(const fs::path& root) {
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root / folder)) {
       const std::string path = entry.path().lexically_relative(root).generic_string();
       const bool source = path.ends_with(".h") || path.ends_with(".cpp");
-      // What lies in outside/ plays a user's project.
+      // Folders outside/ are users' projects.
       if (source && path.find("/outside/") == path.npos) inspector.inspectFile(path);
     }
   }

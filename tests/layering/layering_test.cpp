@@ -59,7 +59,7 @@ TEST_F(Layering, RejectsDependenciesThatPointBackwards) {
 TEST_F(Layering, RejectsIncludesOfLaterSubRooms) {
   write("core/film/film.h", "#pragma once\n");
   write("core/samplers/sobol.h", "#pragma once\n#include \"steradian/core/film/film.h\"\n");
-  write("core/scene/camera.cpp", "#include \"steradian/core/film/film.h\"\n");  // later may know earlier
+  write("core/scene/camera.cpp", "#include \"steradian/core/film/film.h\"\n");  // later ones may include earlier ones
   write("accel/shapes/primitives/disk.h", "#pragma once\n#include \"steradian/accel/shapes/clusters/leaf.h\"\n");
   write("accel/shapes/clusters/leaf.h", "#pragma once\n");
   write("integrators/path/path.h", "#pragma once\n#include \"steradian/integrators/registry.h\"\n");
@@ -152,7 +152,7 @@ TEST_F(Layering, RejectsLongFilesAndUnguardedHeaders) {
 TEST(LayeringOfThisProject, HoldsEverywhere) {
   const Findings findings = inspect(STERADIAN_SOURCE_DIR);
   for (const std::string& violation : findings.violations) ADD_FAILURE() << violation;
-  // The look itself must have taken place.
+  // The inspection must have happened.
   EXPECT_GE(findings.files, 3);
   EXPECT_GE(findings.includes, 10);
 }

@@ -110,7 +110,7 @@ TEST(LightSet, BackFacesOfOneSidedLightsAreBlack) {
   }
 }
 
-// A shadow segment must end before the emitter, by no more than rounding asks for.
+// A shadow ray must end before the emitter, but only by the rounding error.
 TEST(LightSet, DistanceStopsShortOfTheEmitter) {
   for (const float scale : {1e-3f, 1.0f, 555.0f, 1e6f}) {
     SceneDescription scene;
@@ -308,8 +308,8 @@ TEST(LightSet, DiracLightsAreInTheSelection) {
   EXPECT_FLOAT_EQ(s.distance, 2.0f);
 }
 
-/// Lights of every kind, a squashed ball among them; more of them than a table by cumulative sums takes, if so many are
-/// asked for.
+/// Lights of every kind, a squashed ball among them; with many balls, more than are selected by a table of cumulative
+/// sums.
 SceneDescription manyLights(int balls) {
   SceneDescription scene;
   addEmitter(scene, ceilingSquare(1.0f, 1.0f), kRadiance);

@@ -61,8 +61,8 @@ TEST(LightsStat, IrradianceOfClosedForms) {
   }
 }
 
-// The same from an instance that is stretched: a square of 2 x 0.5 at height 1 made of the unit square is not known in
-// closed form, but one that is stretched and shrunk back is.
+// The same from an instance that is stretched: a square of 2 x 0.5 at height 1 made of the unit square has no closed
+// form, but one that is stretched and shrunk back has.
 TEST(LightsStat, IrradianceOfInstances) {
   SceneDescription scene;
   const Id shape = addEmitter(scene, disk({0, 1, 0}, {0, -1, 0}, 1.0f), grey(1.0f));
@@ -77,7 +77,7 @@ TEST(LightsStat, IrradianceOfInstances) {
   EXPECT_GT(irradianceTest(scene, 2.0 * 0.184800), suiteLevel());
 }
 
-// Lights of all kinds, each chosen by its power: what they give adds up.
+// Lights of all kinds, each selected by its power: their irradiances add up.
 TEST(LightsStat, IrradianceOfManyLightsAddsUp) {
   SceneDescription scene;
   double expected = 0.0;
@@ -135,8 +135,8 @@ RunningMean combined(const Quad<float>& emitter, std::uint32_t samples, float fa
       sum += static_cast<double>(s.weight.g * s.wi.y * misWeight(s.pdf, kInvFourPi));
     }
     const Vec3f wi = UniformSphere<float>::sample(lightRandom(i + samples).position);
-    const ShapeHit<float> met = intersect(emitter, Ray<float>{from.position, wi});
-    if (met.valid) {
+    const ShapeHit<float> found = intersect(emitter, Ray<float>{from.position, wi});
+    if (found.valid) {
       SurfacePoint<float> hit;
       hit.valid = true;
       hit.shape = shape, hit.primitive = 0;

@@ -44,7 +44,7 @@ SurfacePoint<float> pointOf(std::uint32_t material, std::uint32_t index) {
   return point;
 }
 
-/// Lane by lane the functions of Bsdf, bit for bit, whatever materials meet in one vector.
+/// Lane by lane the functions of Bsdf, bit for bit, for any mixture of materials in one vector.
 TEST(MaterialTable, LanesAgreeWithBsdf) {
   const MaterialSet materials(everyMaterial());
   const MaterialTable table(materials);

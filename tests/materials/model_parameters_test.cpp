@@ -52,7 +52,7 @@ TEST(ModelParameters, MakeTheSameModelAgain) {
   });
 }
 
-/// What is in the list of models climbs the ladder of tests.
+/// Every model of the list passes through all tests.
 TEST(ModelParameters, EveryModelOfTheListIsTested) {
   std::set<std::size_t> tested;
   test::forEachModel(

@@ -11,7 +11,7 @@ namespace {
 
 using namespace steradian::test;
 
-/// The continuous part as a sampler of directions: what the lobe's number makes Dirac counts as "no sample".
+/// The continuous part as a sampler of directions: samples of a Dirac lobe count as "no sample".
 template <class M>
 testing::AssertionResult checkModel(const M& model, Vec3f wo, CheckOptions options) {
   const auto sample = [&](float choice, Vec2f u) {
@@ -73,7 +73,7 @@ struct FuzzCells {
   }
 };
 
-// What the book's recipe makes has the closed density, and the share below the horizon is absorbed.
+// Samples by the book's recipe have the density in closed form, and those below the horizon are absorbed.
 TEST(ModelsStat, FuzzyMetalAbsorptionIncluded) {
   constexpr std::uint32_t samples = 100000;
   for (const float fuzz : {0.001f, 0.05f, 0.3f, 0.7f, 1.0f}) {
@@ -110,9 +110,9 @@ TEST(ModelsStat, Coat) {
   }
 }
 
-// Furnace: under a white sky all light comes back from a white surface, and never more than its share from others.
+// Furnace: under a white sky a white surface reflects all light, and others never more than their reflectance.
 TEST(ModelsStat, FurnaceByQuadrature) {
-  // These two do not look at the azimuth.
+  // These two do not depend on the azimuth.
   const auto reflected = [](const auto& model, Vec3f wo) {
     constexpr int steps = 20000;
     double sum = 0.0;

@@ -106,7 +106,7 @@ TEST(Models, NeverMakeNonFiniteValues) {
   });
 }
 
-// A mirror loses what its reflectance says under every angle, and the normal halves the angle between the directions.
+// A mirror reflects its reflectance at every angle, and the normal halves the angle between the directions.
 TEST(Models, MirrorsReflectTheirShareUnderEveryAngle) {
   const Mirror<float> mirror{kColour};
   for (std::uint32_t i = 0; i < 200; ++i) {
@@ -159,8 +159,7 @@ TEST(Models, UniformDiffuseCarriesImportanceByItsAdjoint) {
   EXPECT_EQ(surface.eval(steep, -flat, Transport::Radiance).value.r, 0.0f);
 }
 
-// Light that goes through an interface and comes back the same way is what it was: directions, Fresnel shares,
-// radiance.
+// Light that crosses an interface and returns the same way is unchanged: directions, Fresnel factors, radiance.
 TEST(Models, DielectricIsReciprocal) {
   for (const float eta : {1.5f, 0.75f}) {
     const Dielectric<float> glass{eta};
@@ -228,7 +227,7 @@ TEST(Models, FuzzyMetalsDensityIsTheDerivativeOfItsShares) {
       if ((i + 1) % (steps / rings) != 0) continue;
       const double edge = (i + 1.0) / steps * M_PI / 2.0, s = fuzz * std::sin(edge);
       const double share = 1.0 - std::cos(edge) * std::sqrt(std::max(1.0 - s * s, 0.0));
-      // Of the blurred edge, half lies beyond the cone, where this sum does not look.
+      // Half of the blurred edge is outside the cone, where this sum has no samples.
       const double blur = i + 1 == steps ? 0.6 * std::sqrt(3e-7 / fuzz) : 0.0;
       EXPECT_NEAR(sum, share, 5e-5 + blur) << fuzz << ", " << edge;
     }

@@ -46,7 +46,7 @@ TEST(PerlinNoise, StaysBetweenMinusOneAndOneAndHasNoBias) {
   EXPECT_NEAR(square.mean(), a * a * b, 6.0 * square.standardError());
 }
 
-// Cells meet without a step or a kink.
+// Values and slopes are continuous between cells.
 TEST(PerlinNoise, IsSmooth) {
   const PerlinNoise noise(1);
   const float h = 1e-3f;

@@ -338,7 +338,7 @@ if __name__ == "__main__":
         print(f"mutate: {error}", file=sys.stderr)
         sys.exit(1)
     except BrokenPipeError:
-        sys.stdout = None  # whoever read has read enough
+        sys.stdout = None  # the reader has closed the pipe
         sys.exit(1)
     except KeyboardInterrupt:
         print("mutate: broken off; --resume goes on", file=sys.stderr)

@@ -1,6 +1,6 @@
 # Configures the project OUTSIDE, which adds the folder STERADIAN, in WORK with COMPILER, LAUNCHER and FLAGS: with a
-# static library, then with a shared one. If COMPILE is true also builds and runs it, and looks by NM at what the
-# libraries show. All of these are given with -D.
+# static library, then with a shared one. If COMPILE is true also builds and runs it, and checks by NM which symbols the
+# libraries export. All of these are given with -D.
 cmake_minimum_required(VERSION 3.25)
 
 function(run)
@@ -12,7 +12,7 @@ function(run)
   set(output "${output}" PARENT_SCOPE)
 endfunction()
 
-# The mangled names that a library defines for all to see.
+# The mangled names that a library exports.
 function(names_of library)
   run("${NM}" --dynamic --defined-only --format=just-symbols "${library}")
   string(REGEX REPLACE "\n+" ";" names "${output}")
@@ -29,7 +29,7 @@ function(refuse message pattern)
   endif()
 endfunction()
 
-# How things are compiled.
+# # The commands that compile sources.
 function(check_commands build)
   file(READ "${build}/compile_commands.json" commands)
   string(REGEX REPLACE "-Wno-[a-z-]+" "" commands "${commands}")
@@ -53,7 +53,7 @@ function(check_that_no_rules_came_in build)
   endif()
 endfunction()
 
-# What the libraries show.
+# # The symbols that the libraries export.
 function(check_names build shared)
   names_of("${build}/liboutside.so")
   if(NOT "_Z10renderABitv" IN_LIST names)
@@ -81,7 +81,7 @@ set(ENV{CMAKE_CXX_COMPILER_LAUNCHER} "${LAUNCHER}")
 file(REMOVE_RECURSE "${WORK}")
 foreach(shared IN ITEMS OFF ON)
   set(build "${WORK}/shared-${shared}")
-  # The library is compiled twice: without optimisation, which matters for nothing that is looked at here.
+  # The library is compiled twice: without optimisation, which does not affect what is checked here.
   run(${CMAKE_COMMAND} -S "${OUTSIDE}" -B "${build}" -G Ninja
     -D "STERADIAN=${STERADIAN}" -D CMAKE_BUILD_TYPE=Outside -D CMAKE_CXX_FLAGS_OUTSIDE=-O0 -D BUILD_SHARED_LIBS=${shared}
     "-DCMAKE_CXX_COMPILER=${COMPILER}" "-DCMAKE_CXX_FLAGS=${FLAGS}")

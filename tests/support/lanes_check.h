@@ -30,7 +30,7 @@ F loadCyclic(std::span<const float> values, std::size_t start) {
   return r;
 }
 
-/// f takes floats or Lanes<N>, one per list of inputs (of equal length), and returns anything that lane() knows.
+/// f takes floats or Lanes<N>, one per list of inputs (of equal length), and returns any type that lane() supports.
 template <int N, class Function, class... Inputs>
 testing::AssertionResult sameInLanes(Function f, const Inputs&... inputs) {
   const std::size_t count = std::get<0>(std::tuple(std::span<const float>(inputs)...)).size();

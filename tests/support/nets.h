@@ -36,8 +36,8 @@ inline bool isStratified(std::span<const float> numbers) {
   return true;
 }
 
-/// The least t for which these 2^m points of [0, 1)^4 are a (t,m,4)-net: every box of the subdivision into 2^(m-t)
-/// equal ones by halving sides, in whatever way, holds 2^t of them.
+/// The least t for which these 2^m points of [0, 1)^4 are a (t,m,4)-net: every box of each subdivision into 2^(m-t)
+/// equal ones by halving sides holds 2^t of them.
 inline int leastT(const std::vector<std::array<float, 4>>& points) {
   const int m = std::countr_zero(points.size());
   const auto isEven = [&](const std::array<int, 4>& halvings, int t) {

@@ -5,11 +5,11 @@
 ///     EXPECT_TRUE(prove(PiecewiseConstant2D(weights, 5, 3), {.edgeShare = 1e-4}));
 ///     EXPECT_TRUE(prove(mixture, {.inverse = false, .lanes = false}));
 ///
-/// It takes what is to be proved as a function of a number of type F, which makes the thing for F = float and for
-/// F = Lanes<N>; or as a value, which then serves at every width (tables do; what has width 1 alone says so). What is
-/// proved:
+/// It takes the sampler under test as a function of a number of type F, which makes it for F = float and for F =
+/// Lanes<N>; or as a value, which is then used at every width (as tables are; `lanes = false` for width 1 alone). What
+/// is proved:
 /// - normalisation, chi-square, "the pdf of a sample is pdf() of its place", range and finiteness over adversarial
-///   random numbers: checkDirectionSampler and its like, chosen by what sample() returns;
+///   random numbers: checkDirectionSampler or a similar check, chosen by what sample() returns;
 /// - invert(sample(u)) is u, or a preimage of the same sample (poles and seams have several), and in [0, 1)^2;
 /// - width 1 and width N give the same bits: samples, densities of them and of other places, inverses.
 #include <gtest/gtest.h>
@@ -28,7 +28,8 @@ namespace steradian::test {
 
 namespace proof {
 
-/// One draw, however the thing spells it: a direction (Vec3), a point (Vec2), a number (F) or an index (UintOf<F>).
+/// One draw, in any of the forms that samplers have: a direction (Vec3), a point (Vec2), a number (F) or an index
+/// (UintOf<F>).
 template <class X, class F>
 struct Drawn {
   X value;
@@ -36,14 +37,14 @@ struct Drawn {
 };
 
 template <class T, class F>
-concept DrawsAt = requires(const T& thing, F choice) {
-  thing.sample(choice);
+concept DrawsAt = requires(const T& sampler, F choice) {
+  sampler.sample(choice);
 }
-|| requires(const T& thing, Vec2<F> u) { thing.sample(u); }
-|| requires(const T& thing, F choice, Vec2<F> u) { thing.sample(choice, u); };
+|| requires(const T& sampler, Vec2<F> u) { sampler.sample(u); }
+|| requires(const T& sampler, F choice, Vec2<F> u) { sampler.sample(choice, u); };
 
 template <class F, class T, class S>
-auto drawnOf(const T& thing, const S& s) {
+auto drawnOf(const T& sampler, const S& s) {
   if constexpr (requires { s.wi; }) {
     return Drawn<Vec3<F>, F>{s.wi, s.pdf};
   } else if constexpr (requires { s.probability; }) {
@@ -53,18 +54,18 @@ auto drawnOf(const T& thing, const S& s) {
   } else if constexpr (requires { s.pdf; }) {
     return Drawn<F, F>{s.x, s.pdf};
   } else {
-    return Drawn<S, F>{s, thing.pdf(s)};
+    return Drawn<S, F>{s, sampler.pdf(s)};
   }
 }
 
 template <class F, class T>
-auto draw(const T& thing, F choice, Vec2<F> u) {
-  if constexpr (requires { thing.sample(u.x); }) {
-    return drawnOf<F>(thing, thing.sample(u.x));
-  } else if constexpr (requires { thing.sample(u); }) {
-    return drawnOf<F>(thing, thing.sample(u));
+auto draw(const T& sampler, F choice, Vec2<F> u) {
+  if constexpr (requires { sampler.sample(u.x); }) {
+    return drawnOf<F>(sampler, sampler.sample(u.x));
+  } else if constexpr (requires { sampler.sample(u); }) {
+    return drawnOf<F>(sampler, sampler.sample(u));
   } else {
-    return drawnOf<F>(thing, thing.sample(choice, u));
+    return drawnOf<F>(sampler, sampler.sample(choice, u));
   }
 }
 
@@ -90,11 +91,11 @@ inline std::string textOf(const Numbers& n) {
          testing::PrintToString(n.u.y) + ")";
 }
 
-/// 0 for an index, whose probability is not asked in this way.
+/// 0 for an index, whose probability has a function of its own.
 template <class T, class X>
-double densityAt(const T& thing, X x) {
-  if constexpr (requires { thing.pdf(x); }) {
-    return static_cast<double>(thing.pdf(x));
+double densityAt(const T& sampler, X x) {
+  if constexpr (requires { sampler.pdf(x); }) {
+    return static_cast<double>(sampler.pdf(x));
   } else {
     return 0.0;
   }
@@ -103,10 +104,10 @@ double densityAt(const T& thing, X x) {
 // --- The rungs of statistics ------------------------------------------------------------------------------------
 
 template <class T>
-testing::AssertionResult checkSampling(const T& thing, const CheckOptions& options) {
-  using X = decltype(draw<float>(thing, 0.0f, {}).value);
-  const auto drawOne = [&](float choice, Vec2f u) { return draw<float>(thing, choice, u); };
-  const auto pdf = [&](X x) { return densityAt(thing, x); };
+testing::AssertionResult checkSampling(const T& sampler, const CheckOptions& options) {
+  using X = decltype(draw<float>(sampler, 0.0f, {}).value);
+  const auto drawOne = [&](float choice, Vec2f u) { return draw<float>(sampler, choice, u); };
+  const auto pdf = [&](X x) { return densityAt(sampler, x); };
   if constexpr (std::is_same_v<X, Vec3f>) {
     const auto sample = [&](float choice, Vec2f u) {
       const auto d = drawOne(choice, u);
@@ -131,7 +132,7 @@ testing::AssertionResult checkSampling(const T& thing, const CheckOptions& optio
       return IndexSample{d.value, d.pdf};
     };
     std::vector<double> probabilities;
-    for (std::size_t i = 0; i < thing.size(); ++i) probabilities.push_back(thing.probability(i));
+    for (std::size_t i = 0; i < sampler.size(); ++i) probabilities.push_back(sampler.probability(i));
     return checkIndexSampler(sample, probabilities, options);
   }
 }
@@ -146,7 +147,7 @@ inline double difference(Vec3f a, Vec3f b) {
 inline bool isUnitNumber(float u) { return u >= 0.0f && u < 1.0f; }
 inline bool isUnitNumber(Vec2f u) { return isUnitNumber(u.x) && isUnitNumber(u.y); }
 
-/// What differences of samples are measured in.
+/// The unit of differences between samples.
 template <class X>
 double sizeOfDomain(const CheckOptions& options) {
   const Rectangle& r = options.domain;
@@ -160,11 +161,11 @@ double sizeOfDomain(const CheckOptions& options) {
 }
 
 template <class T>
-testing::AssertionResult checkInverse(const T& thing, const CheckOptions& options) {
+testing::AssertionResult checkInverse(const T& sampler, const CheckOptions& options) {
   for (const Numbers& n : numbersOfDraws()) {
-    const auto d = draw<float>(thing, n.choice, n.u);
+    const auto d = draw<float>(sampler, n.choice, n.u);
     if (!(d.pdf > 0.0f)) continue;
-    const auto back = thing.invert(d.value);
+    const auto back = sampler.invert(d.value);
     const auto used = [&] {
       if constexpr (std::is_same_v<decltype(back), const float>) {
         return n.u.x;
@@ -181,7 +182,7 @@ testing::AssertionResult checkInverse(const T& thing, const CheckOptions& option
       again = back;
     }
     const double size = sizeOfDomain<std::remove_const_t<decltype(d.value)>>(options);
-    const double apart = difference(draw<float>(thing, n.choice, again).value, d.value);
+    const double apart = difference(draw<float>(sampler, n.choice, again).value, d.value);
     if (!(apart <= options.inverseTolerance * size)) {
       return testing::AssertionFailure() << textOf(n) << ": invert() gives (" << again.x << ", " << again.y
                                          << "), whose sample is " << apart << " apart";
@@ -211,10 +212,10 @@ X placeAt(Vec2f u, const CheckOptions& options) {
 }
 
 template <int N, class T, class Wide>
-testing::AssertionResult checkLanes(const T& thing, const Wide& wideThing, const CheckOptions& options) {
+testing::AssertionResult checkLanes(const T& sampler, const Wide& wideSampler, const CheckOptions& options) {
   using W = Lanes<N>;
-  using X = decltype(draw<float>(thing, 0.0f, {}).value);
-  using WideX = decltype(draw<W>(wideThing, W(0.0f), {}).value);
+  using X = decltype(draw<float>(sampler, 0.0f, {}).value);
+  using WideX = decltype(draw<W>(wideSampler, W(0.0f), {}).value);
   const std::vector<Numbers> all = numbersOfDraws();
   for (std::size_t start = 0; start + N <= all.size(); start += N) {
     W choice(0.0f);
@@ -226,7 +227,7 @@ testing::AssertionResult checkLanes(const T& thing, const Wide& wideThing, const
       setLane(u, i, n.u);
       if constexpr (!std::is_same_v<X, std::uint32_t>) setLane(place, i, placeAt<X>(n.u, options));
     }
-    const auto wide = draw<W>(wideThing, choice, u);
+    const auto wide = draw<W>(wideSampler, choice, u);
     const auto same = [&](const auto& values, const auto& one) {
       for (int i = 0; i < N; ++i) {
         if (!sameBits(lane(values, i), one(all[start + static_cast<std::size_t>(i)]))) return false;
@@ -237,18 +238,18 @@ testing::AssertionResult checkLanes(const T& thing, const Wide& wideThing, const
       return testing::AssertionFailure() << "width " << N << " differs from width 1: " << what << ", "
                                          << textOf(all[start]) << " and the following";
     };
-    const auto drawOne = [&](const Numbers& n) { return draw<float>(thing, n.choice, n.u); };
+    const auto drawOne = [&](const Numbers& n) { return draw<float>(sampler, n.choice, n.u); };
     if (!same(wide.value, [&](const Numbers& n) { return drawOne(n).value; })) return failure("sample");
     if (!same(wide.pdf, [&](const Numbers& n) { return drawOne(n).pdf; })) return failure("pdf of a sample");
     if constexpr (!std::is_same_v<X, std::uint32_t>) {
-      if (!same(wideThing.pdf(wide.value), [&](const Numbers& n) { return thing.pdf(drawOne(n).value); })) {
+      if (!same(wideSampler.pdf(wide.value), [&](const Numbers& n) { return sampler.pdf(drawOne(n).value); })) {
         return failure("pdf() of a sample");
       }
-      if (!same(wideThing.pdf(place), [&](const Numbers& n) { return thing.pdf(placeAt<X>(n.u, options)); })) {
+      if (!same(wideSampler.pdf(place), [&](const Numbers& n) { return sampler.pdf(placeAt<X>(n.u, options)); })) {
         return failure("pdf() of some place");
       }
-      if constexpr (requires { wideThing.invert(wide.value); }) {
-        if (!same(wideThing.invert(wide.value), [&](const Numbers& n) { return thing.invert(drawOne(n).value); })) {
+      if constexpr (requires { wideSampler.invert(wide.value); }) {
+        if (!same(wideSampler.invert(wide.value), [&](const Numbers& n) { return sampler.invert(drawOne(n).value); })) {
           return failure("invert()");
         }
       }
@@ -258,19 +259,19 @@ testing::AssertionResult checkLanes(const T& thing, const Wide& wideThing, const
 }
 
 template <class T, class Wide>
-testing::AssertionResult proveBoth(const T& thing, const Wide& wideThing, const CheckOptions& options) {
-  constexpr bool hasInverse = requires { thing.invert(draw<float>(thing, 0.0f, {}).value); };
+testing::AssertionResult proveBoth(const T& sampler, const Wide& wideSampler, const CheckOptions& options) {
+  constexpr bool hasInverse = requires { sampler.invert(draw<float>(sampler, 0.0f, {}).value); };
   if (hasInverse != options.inverse) {
     return testing::AssertionFailure() << "there is " << (hasInverse ? "an" : "no")
                                        << " invert(), unlike options.inverse";
   }
-  if (const auto result = checkSampling(thing, options); !result) return result;
+  if (const auto result = checkSampling(sampler, options); !result) return result;
   if constexpr (hasInverse) {
-    if (const auto result = checkInverse(thing, options); !result) return result;
+    if (const auto result = checkInverse(sampler, options); !result) return result;
   }
   if constexpr (DrawsAt<Wide, Lanes<8>>) {
     if (!options.lanes) return testing::AssertionFailure() << "it has lanes, unlike options.lanes";
-    return checkLanes<8>(thing, wideThing, options);
+    return checkLanes<8>(sampler, wideSampler, options);
   } else {
     if (options.lanes) return testing::AssertionFailure() << "it has no lanes, unlike options.lanes";
     return testing::AssertionSuccess();

@@ -220,14 +220,14 @@ TEST(Proof, OfIndicesRejectsEachFault) {
                                {Fault::WidePdfDiffers, "differs from width 1: pdf"}});
 }
 
-// A sample outside is found as such also where its density is not 0: the domain is part of the claim.
+// A sample outside of the domain is detected even if its density is not 0.
 TEST(Proof, DomainsAreChecked) {
   EXPECT_FALSE(prove<UniformDisk>({.domain = {-1.0, 0.5, -1.0, 1.0}}));
   EXPECT_FALSE(prove([](auto f) { return ExponentialFlight<decltype(f)>{decltype(f)(1.0f)}; },
                      {.domain = {0.0, 3.0, 0.0, 1.0}}));
 }
 
-// What has no inverse or no lanes must say so, and what has them must not deny it: no rung is left out unseen.
+// Samplers without inverse or lanes must declare it, and those with them must not: no check is left out unnoticed.
 TEST(Proof, RungsAreLeftOutOnlyWhereTheyDoNotExist) {
   const AliasTable table(std::array{1.0f, 2.0f});
   EXPECT_TRUE(prove(table, {.inverse = false}));

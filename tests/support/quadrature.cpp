@@ -29,8 +29,8 @@ double gauss(const Function& f, const Rectangle& r) {
   return sum * hx * hy;
 }
 
-/// Splits off the middle: the nodes of a cell and of its halves see a jump at the same place as the same share of the
-/// cell for too many places.
+/// Splits off the middle: with equal halves, the nodes of a cell and those of its halves agree about a jump at too many
+/// positions.
 constexpr double kSplit = 0.45;
 
 double refine(const Function& f, const Rectangle& r, double coarse, double tolerance, int depth) {
@@ -40,7 +40,7 @@ double refine(const Function& f, const Rectangle& r, double coarse, double toler
   std::array<double, 4> fine;
   for (std::size_t i = 0; i < 4; ++i) fine[i] = gauss(f, parts[i]);
   const double sum = fine[0] + fine[1] + fine[2] + fine[3];
-  // "Not above": a NaN ends the refinement and is reported as what it is.
+  // "Not above": a NaN ends the refinement and is returned.
   const bool converged = depth >= kMinSplits && !(std::abs(sum - coarse) > tolerance);
   if (converged || depth >= kMaxSplits) return sum;
   double refined = 0.0;

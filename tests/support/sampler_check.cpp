@@ -12,7 +12,7 @@ namespace steradian::test {
 
 namespace {
 
-/// A draw as the check sees it, whatever the domain.
+/// A draw in the form that the check uses for all domains.
 struct Draw {
   double pdf = 0.0;  ///< as the sampler says; 0: no sample
   double pdfThere = 0.0;

@@ -86,11 +86,11 @@ TEST_F(DirectionCheck, RejectsSamplesOutsideOfTheSupport) {
 }
 
 TEST_F(DirectionCheck, CountsMissingSamples) {
-  // One in fifty is lost, which the density does not know.
+  // One in fifty is lost, which the density does not account for.
   const auto lossy = [&](float choice, Vec2f u) { return choice < 0.02f ? DirectionSample<float>{} : draw(u); };
   EXPECT_FALSE(checkDirectionSampler(
       lossy, [&](Vec3f w) { return density(w); }, options_));
-  // The honest version: density and probability of no sample agree.
+  // The correct version: density and probability of no sample agree.
   const auto honest = [&](float choice, Vec2f u) {
     auto s = lossy(choice, u);
     s.pdf *= 0.98f;

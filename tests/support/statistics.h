@@ -4,7 +4,7 @@
 ///     EXPECT_TRUE(checkDirectionSampler([&](float, Vec2f u) { return cosine.sample(u); },
 ///                                       [&](Vec3f wi) { return cosine.pdf(wi); }));
 ///
-/// What has `sample` and `pdf` as members is proved by prove() in proof.h, which also looks at inverses and lanes.
+/// Types with members `sample` and `pdf` are tested by prove() in proof.h, which also checks inverses and lanes.
 ///
 /// The check is deterministic: its random numbers come from a fixed key. It takes about 0.1 s in a release build, so it
 /// belongs into files named *_stat_test.cpp.
@@ -73,7 +73,7 @@ double integrate(const std::function<double(double, double)>& f, const Rectangle
 /// The same over an interval, split at most 25 times: a jump to about 1e-7 of its height.
 double integrate(const std::function<double(double)>& f, double x0, double x1, double tolerance = 1e-7);
 
-/// Where the density of directions is worth looking at.
+/// The grid of directions over which densities are integrated.
 struct SphereGrid {
   Vec3f axis{0.0f, 0.0f, 1.0f};  ///< unit; the pole of the grid: the normal, or towards a small light
   /// Angle around the axis, radians, that gets half of the rings; set it to about 1.5 times the angle that a small
@@ -93,20 +93,20 @@ double integrateHemisphere(const std::function<double(Vec3f)>& density, Vec3f ax
 
 // --- Checks of samplers -----------------------------------------------------------------------------------------
 
-/// What every check of a sampler can be told; the default is the strictest.
+/// The options of all checks of samplers; the defaults are the strictest.
 struct CheckOptions {
   int samples = 300000;
   std::uint32_t seed = 1;
   /// Probability that the sampler gives no sample (pdf 0): a cell of the chi-square test, and missing from the integral
-  /// of the pdf. 0: never, not for awkward numbers either. std::nullopt: whatever the integral of the pdf leaves of 1.
+  /// of the pdf. 0: never, not for awkward numbers either. std::nullopt: 1 less the integral of the pdf.
   std::optional<double> noSample = 0.0;
   /// |integral of the pdf + noSample - 1|.
   double normalisationTolerance = 1e-3;
   double quadratureTolerance = 1e-7;
   /// Relative difference between the pdf of a sample and pdf() of its place.
   double pdfTolerance = 1e-3;
-  /// Share of the samples whose pdf() may differ: such as lie on an edge, where pdf() sees the other side of a jump. If
-  /// it is not 0, those of the adversarial random numbers (which make corners) may differ too.
+  /// Share of the samples whose pdf() may differ: those on an edge, where pdf() may be that of the other side of a
+  /// jump. If it is not 0, those of the adversarial random numbers (which make corners) may differ too.
   double edgeShare = 0.0;
   double level = suiteLevel();
 

@@ -1,6 +1,6 @@
 #pragma once
-/// Boxes, as two leaf kinds (leaf.h): those turned about y alone, or not at all, and others. Which of the faces is hit
-/// is found with the point.
+/// Boxes, as two leaf kinds (leaf.h): those rotated about y alone or not at all, and all others. The face that is hit
+/// is computed with the surface point.
 #include "steradian/accel/shapes/clusters/leaf.h"
 #include "steradian/core/base/api.h"
 

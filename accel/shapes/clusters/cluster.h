@@ -1,8 +1,8 @@
 #pragma once
 /// Clusters: up to 8 primitives of one kind, laid out for one ray against all of them.
 ///
-/// A cluster is the leaf of our hierarchies. Its lanes are ordered by (shape, primitive), so that the lowest lane among
-/// equally near hits is the one that wins; unused lanes hold NaN, which is never hit.
+/// A cluster is the leaf of our hierarchies. Its lanes are ordered by (shape, primitive), so that of equally near hits
+/// the one in the lowest lane is reported; unused lanes hold NaN, which is never hit.
 #include <algorithm>
 #include <bit>
 #include <cstdint>
@@ -51,7 +51,7 @@ Ray<F> broadcastRay(const Ray<float>& ray) {
   return {broadcast<F>(ray.origin), broadcast<F>(ray.direction), F(ray.tMax), F(ray.time), F(ray.tMin)};
 }
 
-/// Who wins at equal distance: the smaller shape, then primitive, then instance.
+/// The order of hits at equal distance: by shape, then primitive, then instance. The first is reported.
 inline bool comesFirst(const LeafHit& a, const LeafHit& b) {
   if (a.shape != b.shape) return a.shape < b.shape;
   return a.primitive != b.primitive ? a.primitive < b.primitive : a.instance < b.instance;
@@ -66,8 +66,8 @@ inline void keepFirst(const LeafHit& candidate, LeafHit& best) {
 inline float justBeyond(float t) { return floatOf(bitsOf(t) + 1u); }
 
 /// Updates `best` if the cluster has a nearer hit, or an equally near one of smaller id. `instance` is the one that
-/// holds the cluster, or kNone; `number` the cluster's. The kernel keeps to ray.tMax, not to best.t: kernels that
-/// follow one another then do not wait for each other's result, which is worth 10 to 40 %.
+/// holds the cluster, or kNone; `number` the cluster's. The kernel tests against ray.tMax, not best.t, so that
+/// successive kernels do not wait for each other's results: 10 to 40 % faster.
 template <class Leaf, class F>
 void intersectCluster(const Cluster<Leaf>& cluster, std::uint32_t number, const Ray<F>& ray, std::uint32_t instance,
                       LeafHit& best) {

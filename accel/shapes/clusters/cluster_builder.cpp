@@ -70,7 +70,7 @@ void addKind(const SceneDescription& scene, std::span<const Id> shapes, BuiltClu
 }  // namespace
 
 BuiltClusters buildClusters(const SceneDescription& scene, std::span<const Id> shapes) {
-  // By ascending id, whatever the order in a group: lanes of a cluster are ordered by id.
+  // By ascending id, not in the order of a group: lanes of a cluster are ordered by id.
   std::vector<Id> sorted(shapes.begin(), shapes.end());
   std::sort(sorted.begin(), sorted.end());
   BuiltClusters built;

@@ -36,13 +36,14 @@ float middleOf(const ClusterItem& item, float Vec3f::*axis) { return item.bounds
 
 std::size_t clustersOf(std::size_t items) { return (items + kClusterSize - 1) / kClusterSize; }
 
-/// Where to cut items in two: so many before it along an axis.
+/// Where to cut items in two: the number of items before the cut, in order along an axis.
 struct Cut {
   float Vec3f::*axis = &Vec3f::x;
   std::size_t before = 0;
 };
 
-/// By the surface-area heuristic, the best of a few planes along each axis (Wald 2007), over a part of very many items.
+/// Finds the best of a few planes along each axis by the surface-area heuristic (Wald 2007); of very many items only a
+/// part is examined.
 class CutSearch {
  public:
   explicit CutSearch(std::span<const ClusterItem> items) : items_(items), step_(1 + items.size() / kMaxExamined) {
@@ -57,7 +58,7 @@ class CutSearch {
     forEachLookedAt([&](const ClusterItem& item) {
       for (std::size_t a = 0; a < kAxes.size(); ++a) {
         Along& along = axes_[a];
-        // Not a number where items are too far apart, or too near one another, for floats: the last bin will do.
+        // NaN or infinite where floats cannot represent the distances of the items: these go to the last bin.
         const float place = (middleOf(item, kAxes[a]) - along.low) * along.scale;
         const bool isInside = place < static_cast<float>(kBins);
         along.bins[isInside ? static_cast<std::size_t>(place) : kBins - 1].add({1, item.bounds});
@@ -65,7 +66,7 @@ class CutSearch {
     });
   }
 
-  /// The middle of the first axis if all are in one place.
+  /// The median along the first axis if all are in one place.
   Cut best() const {
     Cut best{kAxes[0], items_.size() / 2};
     float least = kInfinity;
@@ -95,7 +96,7 @@ class CutSearch {
   void forEachLookedAt(const Visit& visit) const {
     for (std::size_t i = 0; i < items_.size(); i += step_) visit(items_[i]);
   }
-  /// No side may be empty.
+  /// Infinite for an empty side, so that no cut has one.
   float costOf(const Bin& side) const {
     return side.count == 0 ? kInfinity : halfArea(side.bounds) * static_cast<float>(clustersOf(side.count * step_));
   }
@@ -122,8 +123,8 @@ class CutSearch {
   Along axes_[3];
 };
 
-/// Sorts items so that each run of kClusterSize is compact. After so many searches, which may have parted little from
-/// much each time, it cuts in the middle.
+/// Sorts items so that each run of kClusterSize is compact. After `searches` cuts by cost, which may each have been
+/// very uneven, it cuts at the median.
 void arrange(std::span<ClusterItem> items, int searches = 64) {
   if (items.size() <= kClusterSize) return;
   const Cut cut = searches > 0 ? CutSearch(items).best() : Cut{kAxes[0], items.size() / 2};
@@ -143,8 +144,8 @@ void arrange(std::span<ClusterItem> items, int searches = 64) {
   }
 }
 
-/// Sizes in steps of a factor 32 around the median of a sample: sets of balls on a huge ground are two classes, so
-/// that the ground does not decide how the balls are cut.
+/// Classes of size, each a factor of 32 wide, around the median of a sample: small spheres and their huge ground sphere
+/// are two classes, so that the ground does not affect how the small ones are cut.
 class SizeClasses {
  public:
   explicit SizeClasses(std::span<const ClusterItem> items) {
@@ -163,8 +164,8 @@ class SizeClasses {
   int median_;
 };
 
-/// Moves the giants of one cluster to its end and returns how many there are.
-std::uint32_t separateGiants(std::span<ClusterItem> cluster) {
+/// Moves the oversized primitives of one cluster to its end and returns their number.
+std::uint32_t separateOversized(std::span<ClusterItem> cluster) {
   const auto smaller = [](const ClusterItem& a, const ClusterItem& b) {
     const float x = extentOf(a), y = extentOf(b);
     return x != y ? x < y : a.ordinal < b.ordinal;
@@ -185,17 +186,17 @@ void appendRanges(ClusterPartition& partition, std::uint32_t begin, std::uint32_
   const std::span<ClusterItem> items = std::span(partition.items).subspan(begin, end - begin);
   arrange(items);
   const std::size_t clusters = clustersOf(items.size());
-  std::vector<std::uint32_t> giants(clusters);
+  std::vector<std::uint32_t> oversized(clusters);
   const auto sizeOf = [&](std::size_t c) {
     return std::min<std::size_t>(kClusterSize, items.size() - c * kClusterSize);
   };
-  forEachInParallel(clusters,
-                    [&](std::size_t c) { giants[c] = separateGiants(items.subspan(c * kClusterSize, sizeOf(c))); });
+  forEachInParallel(
+      clusters, [&](std::size_t c) { oversized[c] = separateOversized(items.subspan(c * kClusterSize, sizeOf(c))); });
   for (std::size_t c = 0; c < clusters; ++c) {
     const auto first = static_cast<std::uint32_t>(begin + c * kClusterSize);
-    const auto regular = static_cast<std::uint32_t>(sizeOf(c)) - giants[c];
+    const auto regular = static_cast<std::uint32_t>(sizeOf(c)) - oversized[c];
     partition.ranges.push_back({first, regular});
-    for (std::uint32_t g = 0; g < giants[c]; ++g) partition.ranges.push_back({first + regular + g, 1});
+    for (std::uint32_t g = 0; g < oversized[c]; ++g) partition.ranges.push_back({first + regular + g, 1});
   }
 }
 

@@ -24,10 +24,10 @@ struct ClusterPartition {
 };
 
 /// Groups primitives 0 to count-1 so that neighbours share a cluster. Clusters are full but for the last few, whose
-/// number does not grow with `count`, and those that lost a giant: a primitive more than 4 times as large as the rest
-/// of its cluster together has a cluster of its own. At most kClusterSize primitives are one cluster, whatever they
-/// are: that costs no more than testing the giant alone. `boundsOf(i)` is called by many threads, all of the caller's
-/// arena. The result does not depend on their number.
+/// number does not grow with `count`, and those that lost an oversized primitive: one more than 4 times as large as the
+/// rest of its cluster together gets a cluster of its own. Up to kClusterSize primitives always share one cluster:
+/// testing all of them costs no more than testing the oversized one alone. `boundsOf(i)` is called by many threads, all
+/// of the caller's arena. The result does not depend on their number.
 ClusterPartition partitionIntoClusters(std::uint32_t count, const std::function<Bounds3(std::uint32_t)>& boundsOf);
 
 }  // namespace steradian

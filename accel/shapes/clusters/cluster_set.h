@@ -23,10 +23,10 @@ class ClusterSet {
 
   /// Whether there is a primitive at a place from 0 to size() * kClusterSize - 1.
   bool isUsed(std::uint32_t place) const;
-  /// The primitive at LeafHit::place. A ray that has hit a primitive has its cluster in the cache, but not its ten
-  /// numbers in the arrays of the description.
+  /// The primitive at LeafHit::place, read from its cluster: after a hit that is in the processor's cache, while the
+  /// arrays of the description are not.
   LeafShape leafShape(std::uint32_t place) const;
-  /// All but the material.
+  /// Fills in all but the material.
   void fillRecord(PointRecord& record, std::uint32_t place) const;
 
   /// Nearest hit with tMin < t < tMax: updates `best` where it is nearer, or equally near with a smaller id.
@@ -37,7 +37,7 @@ class ClusterSet {
   /// Is anything hit between tMin and tMax?
   bool occluded(const Ray<float>& ray) const { return kernels_->occluded(clusters_, ray); }
 
-  /// The same of one cluster alone, for hierarchies of others.
+  /// The same for a single cluster, when Embree traverses the hierarchy.
   void intersectOne(std::uint32_t cluster, const Ray<float>& ray, std::uint32_t instance, LeafHit& best) const {
     kernels_->intersectOne(clusters_, cluster, ray, instance, best);
   }

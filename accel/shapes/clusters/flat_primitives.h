@@ -2,7 +2,7 @@
 /// The few primitives of a small scene in a row: several rays at once against each of them in turn.
 ///
 /// A ray per lane and one primitive in all of them wastes no lane, however the rays scatter: up to kMaxCount primitives
-/// nothing else is as fast. Kernels and surface points are those of single rays, so hits are the same to the bit.
+/// this is the fastest way. Kernels and surface points are those of single rays, so hits are the same to the bit.
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -13,15 +13,15 @@ namespace STERADIAN_API steradian {
 
 class FlatPrimitives {
  public:
-  /// So many primitives are tested one after the other faster than by way of the bounds of their clusters.
+  /// Up to this many primitives, testing each in turn is faster than testing the bounds of their clusters first.
   static constexpr std::size_t kMaxCount = 64;
-  /// Whether there are some primitives, but few, and all of leaf kinds: no custom shapes.
+  /// Whether there are between 1 and kMaxCount primitives, and no custom shapes.
   static bool fits(const SceneDescription& scene, std::span<const Id> shapes);
 
   /// The description must be valid and `fits` true.
   FlatPrimitives(const SceneDescription& scene, std::span<const Id> shapes);
 
-  /// Nearest hits; lanes of rays that are not active, or hit nothing, are not valid. `withUv`: u and v are known.
+  /// Nearest hits; lanes of rays that are not active, or hit nothing, are not valid. `withUv`: u and v are set.
   template <class F, bool withUv = false>
   RecordHit<F> intersect(const Ray<F>& ray, MaskOf<F> active) const;
 
@@ -41,13 +41,13 @@ class FlatPrimitives {
  private:
   /// Entries that follow one another and are of one kind.
   struct Run {
-    std::uint32_t kind;        ///< of leaf, whose kernel is used: records may have another
+    std::uint32_t kind;        ///< leaf kind whose kernel is used: records may have another
     std::uint32_t first, end;  ///< entries
     std::uint32_t index;       ///< of the first, in the vector of its kind
   };
   template <class Leaf>
   using Of = std::vector<typename Leaf::Flat>;
-  /// Two kinds may have one type of primitive here: each has its own member.
+  /// One member per kind: two kinds may have the same type of primitive here, which a tuple could not tell apart.
   template <class Leaf>
   struct Member {
     Of<Leaf> shapes;
@@ -60,7 +60,7 @@ class FlatPrimitives {
   template <class F, class Visit>
   void intersectRun(const Run& run, const Ray<F>& ray, const RayByAxis<F>& byAxis, const Visit& visit) const;
 
-  std::vector<Run> runs_;  ///< in order of (shape, primitive): of equally near hits the first one wins
+  std::vector<Run> runs_;  ///< in order of (shape, primitive): of equally near hits the first one is kept
   LeafKinds::TupleOf<Member> shapes_;
   std::vector<PointRecord> records_;  ///< of all entries
   PointKinds kinds_ = 0;

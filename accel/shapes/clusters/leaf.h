@@ -73,8 +73,8 @@ inline void writeVectors(PointNumbers& numbers, std::initializer_list<Vec3f> vec
   }
 }
 
-/// The numbers of the primitives that the lanes' rays hit, four at a time. `offset`: of each lane's numbers in the
-/// table, in floats.
+/// The numbers of the primitives that the lanes' rays hit, read four at a time. `offset`: where each lane's numbers
+/// begin in the table, in floats.
 template <class F>
 class PointRows {
  public:

@@ -37,7 +37,7 @@ class NodeIntersector {
       exit_[axis] = reciprocal < 0.0f ? low : high;
     }
   }
-  /// Bounds beyond t are not entered any more; those that begin there are.
+  /// Shortens the ray to t: bounds that begin beyond t are no longer hit, those that begin at t are.
   void shorten(float t) { tMax_ = L(t); }
 
   /// The children whose bounds the ray hits, as bits, and from what distance on.
@@ -65,7 +65,7 @@ class NodeIntersector {
   }
 
   L origin_[3], reciprocal_[3], tMin_, tMax_;
-  std::size_t entry_[3], exit_[3];  ///< where in a node the planes are that the ray enters and leaves bounds by
+  std::size_t entry_[3], exit_[3];  ///< offsets in a node of the planes by which the ray enters and leaves bounds
 };
 
 std::uint32_t takeLowest(std::uint32_t& bits) {
@@ -74,7 +74,7 @@ std::uint32_t takeLowest(std::uint32_t& bits) {
   return i;
 }
 
-/// The largest number of entries: of each node on the way down all children but one.
+/// The largest number of entries: all children but one of each node on the way down.
 constexpr std::size_t kStackSize = ClusterTree::kMaxDepth * (ClusterTree::kWidth - 1);
 
 /// The nodes and clusters that a ray still has to visit, the nearest on top.
@@ -112,7 +112,7 @@ class TraversalStack {
     const std::uint32_t first = takeLowest(left);
     if (left == 0) return node.child[first];
     const std::uint32_t second = takeLowest(left);
-    // Either may be the nearer one: a branch could not be predicted.
+    // Which one is nearer is unpredictable: no branch.
     const std::uint32_t near = hits.distance[first] < hits.distance[second] ? first : second;
     const std::uint32_t far = first + second - near;
     Entry nearest{hits.distance[near], node.child[near]};

@@ -10,8 +10,8 @@
 
 namespace STERADIAN_API steradian {
 
-/// How a point is computed is the leaf kind's (Leaf::point). Meshes and instances add to it what they have beyond the
-/// primitive (accel/surface_points.h).
+/// The leaf kind computes the point (Leaf::point). Vertex data of meshes and transforms of instances are applied
+/// afterwards (accel/surface_points.h).
 struct PointRecord {
   PointNumbers numbers;
   std::uint32_t kind;  ///< LeafKinds::indexOf

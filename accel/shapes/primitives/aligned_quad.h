@@ -1,6 +1,6 @@
 #pragma once
-/// Rectangle whose edges lie along the axes, as the walls of a room mostly do, and its leaf kernel: many rays against
-/// one take a third of the instructions of a quad in any position, one ray against many about as many.
+/// Rectangle with edges along the axes, such as the walls of a room, and its leaf kernel. Many rays against one
+/// rectangle take a third of the instructions of the general quad; one ray against many takes about as many as there.
 #include <array>
 #include <optional>
 
@@ -15,21 +15,21 @@ struct AlignedQuad {
   std::array<float, 2> edge;         ///< signed lengths of u and v
   std::array<float, 2> inverseEdge;  ///< 1 / edge
 
-  /// Nothing if the quad is another one.
+  /// Empty if the quad is not of this form.
   static std::optional<AlignedQuad> of(const Quad<float>& quad);
   Quad<float> quad() const;
 };
 
-/// 1 / d of a direction's component, and 1e20 where d is 0: products with it stay numbers, and a plane that the ray
-/// runs along at more than some 1e-17 scene units is met beyond all scenes.
+/// 1 / d of a direction's component, and 1e20 where d is 0: products with it are never NaN, and a plane parallel to the
+/// ray, more than some 1e-17 scene units away, is hit beyond any scene.
 template <class F>
 F reciprocalOfComponent(F d) {
   return F(1.0f) / (d + F(1e-20f));
 }
 
-/// The kernel: the distance to the plane first, then where in it (Shirley, "The Next Week", 6.2), by components along
-/// the quad's three axes. `inverseEdge` is 1 / edge, `inverse` the reciprocal of the ray's direction along the normal.
-/// u, v and the edges as in Quad's kernel; t in multiples of the direction.
+/// The kernel: the distance to the plane first, then the point in the plane (Shirley, "The Next Week", 6.2), by
+/// components along the quad's three axes. `inverseEdge` is 1 / edge, `inverse` the reciprocal of the ray's direction
+/// along the normal. u, v and the edges as in Quad's kernel; t in multiples of the direction.
 template <class F>
 ShapeHit<F> crossAlignedQuad(const std::array<F, 3>& corner, const std::array<F, 2>& inverseEdge,
                              const std::array<F, 3>& origin, const std::array<F, 2>& direction, F inverse, F tMin,
@@ -37,8 +37,8 @@ ShapeHit<F> crossAlignedQuad(const std::array<F, 3>& corner, const std::array<F,
   const F t = (corner[2] - origin[2]) * inverse;
   const F u = ((origin[0] - corner[0]) + t * direction[0]) * inverseEdge[0];
   const F v = ((origin[1] - corner[1]) + t * direction[1]) * inverseEdge[1];
-  const F least = minimum(u, v), most = maximum(u, v);
-  const MaskOf<F> inside = (least >= F(-kQuadRim)) & (most <= F(1.0f + kQuadRim));
+  const F lowest = minimum(u, v), highest = maximum(u, v);
+  const MaskOf<F> inside = (lowest >= F(-kQuadRim)) & (highest <= F(1.0f + kQuadRim));
   const MaskOf<F> valid = inside & (t > tMin) & (t < tMax);
   return {valid, t, u, v};
 }

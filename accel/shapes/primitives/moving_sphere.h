@@ -10,7 +10,7 @@ struct MovingSphere {
   Vec3<F> move;    ///< to where it is at time 1
   F radius;        ///< > 0; scene units
 
-  /// The sphere that it is then. Queries and surface points take the same, to the bit, and so it counts as exact.
+  /// The sphere at that time. Queries and surface points use the same bits, so its rounding needs no error bound.
   Sphere<F> at(F time) const { return {center + move * time, radius}; }
 };
 

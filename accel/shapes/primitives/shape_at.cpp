@@ -44,7 +44,7 @@ TurnedBox turnedBoxAt(const BoxSet& set, std::size_t i) {
       {set.centerX[i], set.centerY[i], set.centerZ[i]}, {set.halfX[i], set.halfY[i], set.halfZ[i]}, 1, 0, 0, 0};
   if (set.rotationW.empty()) return box;
   const float w = set.rotationW[i], x = set.rotationX[i], y = set.rotationY[i], z = set.rotationZ[i];
-  // Unit length to the last bits: the error bounds of surface points count on orthonormal axes.
+  // Unit length to the last bits: the error bounds of surface points rely on orthonormal axes.
   const float scale = 1.0f / std::sqrt(w * w + x * x + y * y + z * z);
   box.w = w * scale;
   box.x = x * scale;
@@ -91,7 +91,7 @@ Bounds3 boundsOf(const Sphere<float>& sphere) {
 }
 
 Bounds3 boundsOf(const MovingSphere<float>& sphere) {
-  // Rounding keeps order: no centre between is computed beyond the two.
+  // Rounding is monotonic: no centre at a time in between is computed beyond these two.
   Bounds3 bounds = boundsOf(sphere.at(0.0f));
   bounds.include(boundsOf(sphere.at(1.0f)));
   return bounds;
@@ -103,7 +103,7 @@ Bounds3 boundsOf(const Quad<float>& quad) {
   bounds.include(quad.corner + quad.u);
   bounds.include(quad.corner + quad.v);
   bounds.include(quad.corner + quad.u + quad.v);
-  // The kernel's rim belongs to the quad.
+  // The kernel extends the quad by a rim.
   const Vec3f rim = (absolute(quad.u) + absolute(quad.v)) * (2.0f * kQuadRim);
   return {bounds.low - rim, bounds.high + rim};
 }

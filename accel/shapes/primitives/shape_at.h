@@ -14,19 +14,19 @@ namespace STERADIAN_API steradian {
 
 Sphere<float> sphereAt(const SphereSet& set, std::size_t i);  ///< at time 0
 MovingSphere<float> movingSphereAt(const SphereSet& set, std::size_t i);
-/// Does any sphere of the set move? Then all of them go through the kernel of moving ones.
+/// Whether any sphere of the set moves: then all of them use the kernel of moving spheres.
 bool areMoving(const SphereSet& set);
 Quad<float> quadAt(const QuadSet& set, std::size_t i);
 Disk<float> diskAt(const DiskSet& set, std::size_t i);
 Triangle<float> triangleAt(const TriangleMesh& mesh, std::size_t i);
 TurnedBox turnedBoxAt(const BoxSet& set, std::size_t i);  ///< its quaternion is normalised once more
 
-/// Does the i-th box turn about y alone, or not at all? Such boxes go through UprightBox everywhere, so that every
+/// Whether the i-th box is rotated about y alone or not at all. Such boxes use UprightBox everywhere, so that every
 /// query computes the same axes.
 bool isUpright(const BoxSet& set, std::size_t i);
 bool areUpright(const BoxSet& set);                                ///< all of them
 UprightBox<float> uprightBoxAt(const BoxSet& set, std::size_t i);  ///< needs isUpright
-/// Whether all quads are AlignedQuads. Only such sets go through that kernel, so that every query computes the same.
+/// Whether all quads are AlignedQuads. Only such sets use that kernel, so that every query computes the same.
 bool areAligned(const QuadSet& set);
 /// With the axes that the queries use.
 Box<float> boxOf(const UprightBox<float>& box);

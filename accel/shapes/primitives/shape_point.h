@@ -1,10 +1,10 @@
 #pragma once
-/// The point of a shape that a ray met, re-projected onto the surface, with bounds of its rounding errors.
+/// The point of a shape that a ray hit, re-projected onto the surface, with bounds of its rounding errors.
 ///
 /// `shapePoint(shape, ray, hit)` is a free function per shape, generic over lanes; `hit` is what its kernel returned
 /// for this ray. `uvOf` says where on the shape that is, in [0, 1]^2 (see SurfacePoint::uv). The error covers the
 /// position's rounding and that of the next query from there, so that rays spawned by core/transport/ray_offset.h do
-/// not meet the primitive they leave.
+/// not hit the primitive they leave.
 #include "steradian/accel/shapes/primitives/aligned_quad.h"
 #include "steradian/accel/shapes/primitives/box.h"
 #include "steradian/accel/shapes/primitives/disk.h"
@@ -22,8 +22,9 @@ struct ShapePoint {
   Vec3<F> normal;    ///< unit, outward
 };
 
-/// Roundings that a coordinate of a shape's corner or centre goes through, and one that an edge or radius does, here
-/// and in the next query's kernel together. (With 2 and 8 one ray in 5000 still meets the box that it leaves.)
+/// Errors by the number of roundings that a coordinate of a corner or centre undergoes, and by that of an edge or
+/// radius, here and in the next query's kernel together. (With 2 and 8 one ray in 5000 still hits the box that it
+/// leaves.)
 inline constexpr float kPlaceError = gammaBound(3);
 inline constexpr float kReachError = gammaBound(12);
 
@@ -116,8 +117,8 @@ struct BoxPlace {
 };
 template <class F, class Axes>
 BoxPlace<F> boxPlace(const OrientedBox<F, Axes>& box, const Ray<F>& ray, F t) {
-  // The query's kernel once more. In an instance this ray is not Embree's to the last bit: whether it enters or leaves
-  // is decided half-way.
+  // The query's kernel once more. In an instance this ray differs from Embree's in the last bits, so the search starts
+  // half-way to the hit, which tells whether the ray enters or leaves there.
   Ray<F> again = ray;
   again.tMin = maximum(ray.tMin, F(0.5f) * t);
   const F face = crossBox(box, again).face();

@@ -121,7 +121,7 @@ struct BoxView {
 
 /// A direction from `from` to the box. From outside: one of the one to three faces that are seen, with probability in
 /// proportion to its solid angle, then as for a rectangle; where all are large, the density is 1 / (solid angle of the
-/// box). On the surface or inside: uniform over the directions that meet a face, 1 / 4 pi.
+/// box). On the surface or inside: uniform over the directions that hit a face, 1 / 4 pi.
 template <class F>
 DirectionSample<F> sampleDirection(const Box<F>& box, Vec3<F> from, Vec2<F> u) {
   const detail::BoxView<F> view(box, from);
@@ -145,15 +145,15 @@ DirectionSample<F> sampleDirection(const Box<F>& box, Vec3<F> from, Vec2<F> u) {
                   select(outside, distance, hit.t));
 }
 
-/// The random numbers that sampleDirection makes the direction of; meaningless where the line misses the box by
-/// more than rounding.
+/// Inverse of sampleDirection: the random numbers that give wi; meaningless where the line misses the box by more than
+/// rounding.
 template <class F>
 Vec2<F> invertDirection(const Box<F>& box, Vec3<F> from, Vec3<F> wi) {
   const ShapeHit<F> hit = intersect(box, Ray<F>{from, wi});
   const detail::BoxView<F> view(box, from);
-  // Also where rounding lets an edge be missed: the slab that was entered last.
+  // Defined also where rounding makes the ray miss at an edge: the slab that was entered last.
   const UintOf<F> k = toUnsigned(toInt(hit.u)) >> 1;
-  // The face that is met, in the view's octant and with its axis as z.
+  // The face that is hit, in the view's octant and with its axis as z.
   const Vec3<F> local = box.axes.toLocal(wi) * view.side;
   const SeenRectangle<F> face = view.face(k);
   const F t = -face.z / detail::component(k, local);

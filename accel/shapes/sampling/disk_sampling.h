@@ -43,7 +43,7 @@ DirectionSample<F> sampleDirection(const Disk<F>& disk, Vec3<F> from, Vec2<F> u)
   return sampleIf(center.z != F(0.0f), axes.toWorld(local * (F(1.0f) / distance)), pdf, distance);
 }
 
-/// The density of that: 0 where the line misses the disk.
+/// The density of sampleDirection: 0 where the line misses the disk.
 template <class F>
 F pdfDirection(const Disk<F>& disk, Vec3<F> from, Vec3<F> wi) {
   const ShapeHit<F> hit = intersect(disk, Ray<F>{from, wi});
@@ -51,7 +51,7 @@ F pdfDirection(const Disk<F>& disk, Vec3<F> from, Vec3<F> wi) {
   return densityIf(hit.valid, densityPerSteradian(pdfPosition(disk), hit.t, height));
 }
 
-/// The random numbers that sampleDirection makes the direction of; meaningless where the line misses the disk.
+/// Inverse of sampleDirection: the random numbers that give wi; meaningless where the line misses the disk.
 template <class F>
 Vec2<F> invertDirection(const Disk<F>& disk, Vec3<F> from, Vec3<F> wi) {
   const Frame<F> axes = Frame<F>::fromZ(disk.normal);

@@ -15,8 +15,8 @@ namespace STERADIAN_API steradian {
 /// Several shapes of which one is chosen with a probability in proportion to its weight.
 class TargetGroup {
  public:
-  /// One weight >= 0 per shape, of any sum; none: all alike. All zero: there is nothing to choose. Throws Error (Usage)
-  /// for weights of another number, negative or not finite.
+  /// One weight >= 0 per shape, of any sum; no weights: all equal. All zero: no shape can be chosen. Throws Error
+  /// (Usage) for weights of another number, negative or not finite.
   explicit TargetGroup(std::vector<SampledShape> shapes, std::span<const float> weights = {})
       : shapes_(std::move(shapes)) {
     if (!weights.empty() && weights.size() != shapes_.size()) {
@@ -35,7 +35,7 @@ class TargetGroup {
   }
 
   std::span<const SampledShape> shapes() const { return shapes_; }
-  /// No shape can be chosen.
+  /// Whether no shape can be chosen.
   bool empty() const { return cumulative_.empty() || cumulative_.back() == 0.0; }
   float probability(std::size_t i) const {
     return static_cast<float>(cumulative_[i] - (i == 0 ? 0.0 : cumulative_[i - 1]));
@@ -46,11 +46,11 @@ class TargetGroup {
     return static_cast<std::size_t>(found - cumulative_.begin());
   }
   /// A direction to the shape that `choice` falls on, for several viewers at once, each at a time of its own; without a
-  /// distance, as a direction may meet several members. Lanes that are not active have no sample.
+  /// distance, as a direction may hit several members. Lanes that are not active have no sample.
   template <class F>
   DirectionSample<F> sampleDirection(Vec3<F> from, F choice, Vec2<F> u, F time,
                                      MaskOf<F> active = MaskOf<F>(true)) const;
-  /// The density of that, per sr: the marginal one. Of lanes that are not active any.
+  /// The density of sample, per sr: the marginal one. Undefined in lanes that are not active.
   template <class F>
   F pdfDirection(Vec3<F> from, Vec3<F> wi, F time, MaskOf<F> active = MaskOf<F>(true)) const;
 
@@ -67,7 +67,7 @@ DirectionSample<F> TargetGroup::sampleDirection(Vec3<F> from, F choice, Vec2<F> 
   if (shapes_.size() > 1) {
     for (int i = 0; i < widthOf<F>; ++i) setLane(member, i, static_cast<std::uint32_t>(choose(lane(choice, i))));
   }
-  // Member by member of those that were chosen: mostly one, or as many as there are lanes.
+  // Once per chosen member: usually one, at worst as many as there are lanes.
   MaskOf<F> left = active;
   for (int i = 0; i < widthOf<F>; ++i) {
     if (!lane(left, i)) continue;
@@ -105,7 +105,7 @@ class HittablePdf {
   HittablePdf(const SampledShape& shape, Vec3f from, float time = 0.0f) : shape_(&shape), from_(from), time_(time) {}
   HittablePdf(const TargetGroup& group, Vec3f from, float time = 0.0f) : group_(&group), from_(from), time_(time) {}
 
-  /// For a group without a distance: a direction may meet several members.
+  /// For a group without a distance: a direction may hit several members.
   DirectionSample<float> sample(float choice, Vec2f u) const {
     if (shape_ != nullptr) return shape_->sampleDirection(from_, u, time_);
     return group_->sampleDirection(from_, choice, u, time_);

@@ -88,8 +88,8 @@ struct QuadView {
       : quad(seen),
         corner(seen.axes.toLocal(seen.corner - from)),
         valid((seen.width > F(0.0f)) & (seen.height > F(0.0f)) & (corner.z != F(0.0f))),
-        // Edges that are perpendicular to 1e-5: beyond the rounding of rotated rectangles, and still one for every
-        // test.
+        // Right angles to within 1e-5: wider than the rounding of rotated rectangles, narrow enough to pass for a
+        // rectangle.
         directions({corner.x, corner.x + seen.width, corner.y, corner.y + seen.height, absolute(corner.z)},
                    MaskOf<F>(valid & (absolute(seen.shear) <= F(1e-5f) * seen.height))) {}
 };
@@ -102,14 +102,14 @@ template <class F>
 DirectionSample<F> sampleDirection(const PreparedQuad<F>& quad, Vec3<F> from, Vec2<F> u) {
   const detail::QuadView<F> view(quad, from);
   Vec2<F> p = view.directions.sample(u);
-  // By area the skew of v counts; where it is uniform, there is none.
+  // Sampled by area, the quad may be sheared; in solid angle it is a rectangle.
   p.x = select(view.directions.uniform(), p.x, p.x + quad.shear * u.y);
   const Vec3<F> local{p.x, p.y, view.corner.z};
   const F distance = length(local);
   return sampleIf(view.valid, quad.axes.toWorld(local * (F(1.0f) / distance)), view.directions.pdf(distance), distance);
 }
 
-/// The density of that: 0 where the line misses the quad.
+/// The density of sampleDirection: 0 where the line misses the quad.
 template <class F>
 F pdfDirection(const PreparedQuad<F>& quad, Vec3<F> from, Vec3<F> wi) {
   const ShapeHit<F> hit = intersect(static_cast<const Quad<F>&>(quad), Ray<F>{from, wi});
@@ -118,14 +118,14 @@ F pdfDirection(const PreparedQuad<F>& quad, Vec3<F> from, Vec3<F> wi) {
   return densityIf(hit.valid & view.valid, view.directions.pdf(hit.t));
 }
 
-/// The random numbers that sampleDirection makes the direction of; the nearest ones where the line misses the quad.
+/// Inverse of sampleDirection: the random numbers that give wi; the nearest ones where the line misses the quad.
 template <class F>
 Vec2<F> invertDirection(const PreparedQuad<F>& quad, Vec3<F> from, Vec3<F> wi) {
   const detail::QuadView<F> view(quad, from);
   const Vec3<F> local = quad.axes.toLocal(wi);
   const F t = view.corner.z / local.z;
   Vec2<F> p{t * local.x, t * local.y};
-  // By area the skew of v has to go again.
+  // Sampled by area: undo the shear.
   const F skew = quad.shear * ((p.y - view.corner.y) / quad.height);
   p.x = select(view.directions.uniform(), p.x, p.x - skew);
   return view.directions.invert(p);

@@ -11,7 +11,7 @@ namespace {
 
 using SharedTransformed = std::shared_ptr<const TransformedShape>;
 
-// The plain shapes have free functions, a transformed one has members: one spelling for both.
+// Plain shapes have free functions, a transformed one has members: this calls either.
 template <class Plain, class Moved>
 auto visitShape(const SampledShape::Shape& shape, const Plain& plain, const Moved& moved) {
   return std::visit(

@@ -12,13 +12,13 @@
 
 namespace STERADIAN_API steradian {
 
-/// Directions are sampled as the `*_sampling.h` of the shape says: uniform in the solid angle of what is seen where
-/// that is worth it, else uniform by area. Both sides of a surface are targets; which side emits is the caller's to
-/// ask, by normalAt. pdfDirection is the density with which sampleDirection chooses wi: 0 where the line misses.
-/// `time`, in [0, 1], is that of the shutter: it matters for shapes that move.
+/// Directions are sampled as the `*_sampling.h` of the shape says: uniform in the solid angle of the visible part where
+/// that is worth it, else uniform by area. Both sides of a surface are targets; normalAt tells the caller which side is
+/// seen. pdfDirection is the density with which sampleDirection chooses wi: 0 where the line misses. `time`, in [0, 1],
+/// is that of the shutter: it matters for shapes that move.
 class SampledShape {
  public:
-  /// The rare and large alternative lies elsewhere: a million triangles must not pay for it.
+  /// The rare and large alternative is allocated separately, so that it does not enlarge the others.
   using Shape = std::variant<Sphere<float>, PreparedQuad<float>, Disk<float>, Triangle<float>, Box<float>,
                              std::shared_ptr<const TransformedShape>>;
 
@@ -29,7 +29,7 @@ class SampledShape {
   float area() const;
   /// A point of the surface; pdf per m^2.
   PositionSample<float> samplePosition(Vec2f u, float time = 0.0f) const;
-  /// The density of that, for a point of the surface.
+  /// The density of samplePosition, for a point of the surface.
   float pdfPosition(Vec3f position, float time = 0.0f) const;
   /// A direction to the surface, the distance of the point that is seen there; pdf per sr.
   DirectionSample<float> sampleDirection(Vec3f from, Vec2f u, float time = 0.0f) const;
@@ -44,9 +44,10 @@ class SampledShape {
 };
 
 /// The same shape, moved by an affine, invertible map; normals stay outward, also under mirrors. Quads and triangles
-/// stay what they are; spheres, disks and boxes as long as the map leaves them such (to 1e-5), else TransformedShape.
+/// stay what they are; spheres, disks and boxes too if the map preserves their kind (to 1e-5); otherwise they become a
+/// TransformedShape.
 SampledShape transformed(const SampledShape& shape, const Matrix& localToWorld);
-/// The same shape, moved as time goes by. It may do so already: then the motions add up.
+/// The same shape under a motion. If it moves already, the motions are composed.
 SampledShape inMotion(const SampledShape& shape, const MovingTransform& motion);
 
 }  // namespace steradian

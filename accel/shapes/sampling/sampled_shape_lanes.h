@@ -39,7 +39,7 @@ DirectionSample<F> sampleDirection(const SampledShape& shape, Vec3<F> from, Vec2
   }
 }
 
-/// The density of that, per sr; of lanes that are not active any.
+/// The density of sampleDirection, per sr; undefined in lanes that are not active.
 template <class F>
 F pdfDirection(const SampledShape& shape, Vec3<F> from, Vec3<F> wi, F time, MaskOf<F> active = MaskOf<F>(true)) {
   if constexpr (widthOf<F> == 1) {

@@ -56,10 +56,10 @@ struct SphereView {
 }  // namespace detail
 
 /// A direction from `from` to the sphere, with the distance of its near surface. From outside: uniform in the cone that
-/// the sphere fills; the complement of the cosine keeps its digits from touching spheres down to those of 1e-18 rad,
-/// which is beyond what directions of floats can tell apart (they lie in a cone of 1e-4 rad to 0.1 %). On the surface
-/// or inside: uniform over all directions, 1 / 4 pi, which is finite everywhere where area sampling is not. Lanes that
-/// are not active may have any sample.
+/// the sphere fills; 1 - cos is accurate from spheres that touch the point down to cones of 1e-18 rad, far narrower
+/// than float directions resolve (those are in a cone of 1e-4 rad to 0.1 %). On the surface or inside: uniform over all
+/// directions, 1 / 4 pi, which is finite everywhere where area sampling is not. Lanes that are not active may have any
+/// sample.
 template <class F>
 DirectionSample<F> sampleDirection(const Sphere<F>& sphere, Vec3<F> from, Vec2<F> u,
                                    MaskOf<F> active = MaskOf<F>(true)) {
@@ -80,7 +80,7 @@ DirectionSample<F> sampleDirection(const Sphere<F>& sphere, Vec3<F> from, Vec2<F
                   select(outside, view.cone.pdfInside(), F(kInvFourPi)), select(outside, nearDistance, hit.t));
 }
 
-/// The density of that: 0 outside of the cone. Lanes that are not active may have any.
+/// The density of sampleDirection: 0 outside of the cone. Undefined in lanes that are not active.
 template <class F>
 F pdfDirection(const Sphere<F>& sphere, Vec3<F> from, Vec3<F> wi, MaskOf<F> active = MaskOf<F>(true)) {
   const detail::SphereView<F> view(sphere, from);
@@ -90,7 +90,7 @@ F pdfDirection(const Sphere<F>& sphere, Vec3<F> from, Vec3<F> wi, MaskOf<F> acti
   return densityIf(view.outside | hit, select(view.outside, outside, F(kInvFourPi)));
 }
 
-/// The random numbers that sampleDirection makes the direction of; the nearest ones for a direction that misses.
+/// Inverse of sampleDirection: the random numbers that give wi; the nearest ones for a direction that misses.
 template <class F>
 Vec2<F> invertDirection(const Sphere<F>& sphere, Vec3<F> from, Vec3<F> wi) {
   const detail::SphereView<F> view(sphere, from);

@@ -13,11 +13,10 @@
 
 namespace STERADIAN_API steradian {
 
-/// An affine map M keeps lines and what is seen along them, so directions are sampled in the shape's own space, where
+/// An affine map M preserves lines and visibility along them, so directions are sampled in the shape's own space, where
 /// the visible side has a solid angle in closed form, and are mapped by its linear part. A cone of directions about w
 /// grows by |det M| / |M w|^3, so the density per sr is p |M w|^3 / |det M|; by area, it is the local one over the
-/// stretch |det M| |M^-T n|. Of a shape that moves, M is that of the time asked for; where it does not move, the time
-/// does not matter.
+/// stretch |det M| |M^-T n|. For a shape that moves, M is that of the given time; for others the time does not matter.
 class TransformedShape {
  public:
   using Local = std::variant<Sphere<float>, Disk<float>, Box<float>, PreparedQuad<float>, Triangle<float>>;
@@ -27,8 +26,8 @@ class TransformedShape {
   /// Moved by the first of the motions, then by the next.
   TransformedShape(const Local& local, std::vector<MovingTransform> motions);
 
-  /// Exact but for ellipsoids, which are by quadrature (1e-4 for axes up to 10 : 1, 2 % at 1000 : 1). Of a shape that
-  /// moves, the area at time 1/2.
+  /// Exact, except for ellipsoids: by quadrature, with errors of 1e-4 for axes up to 10 : 1 and 2 % at 1000 : 1. Of a
+  /// shape that moves, the area at time 1/2.
   float area() const { return area_; }
   /// Uniform by area of the local shape: not uniform where the stretch varies.
   PositionSample<float> samplePosition(Vec2f u, float time = 0.0f) const;

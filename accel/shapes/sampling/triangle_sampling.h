@@ -59,7 +59,7 @@ struct TriangleView {
     size = F(0.5f) * n1;
     normal = n * select(n1 > F(0.0f), one / n1, F(0.0f));
     height = absDot(toA, normal);
-    // A bound of the solid angle by one of the distance spares most small triangles the rest.
+    // A bound of the solid angle, by a bound of the distance: most small triangles then need nothing else.
     const F reach = squareRoot(maximum(lengthSquared(ab), lengthSquared(ac)));
     const F nearest = maximum(la - reach, height);
     const MaskOf<F> maybe = size * height >= F(kUniformTriangleMin) * nearest * nearest * nearest;
@@ -94,7 +94,7 @@ struct TriangleView {
           rest(nearest * lengthSquared(crossProduct) / (F(1.0f) + absolute(cosine))) {}
   };
 
-  /// Per sr, for a direction that meets the triangle at this distance.
+  /// Per sr, for a direction that hits the triangle at this distance.
   F pdf(F distance) const {
     return select(uniform, F(1.0f) / solidAngle, densityPerSteradian(F(1.0f) / size, distance, height));
   }
@@ -116,12 +116,12 @@ struct TriangleView {
     return normalize(b * (one - h) + tangent * sine);
   }
 
-  /// The random numbers that sampleUniform makes the unit vector of.
+  /// Inverse of sampleUniform: the random numbers that give wi.
   Vec2<F> invertUniform(Vec3<F> wi) const {
     const F tiny(1e-30f);
-    // c' is where the great circle through b and wi meets the arc from a to c.
-    const Vec3<F> meeting = cross(cross(b, wi - b), cross(a, c));
-    const Vec3<F> c1 = faceForward(meeting, a + c) * (F(1.0f) / maximum(length(meeting), tiny));
+    // c' is where the great circle through b and wi crosses the arc from a to c.
+    const Vec3<F> crossing = cross(cross(b, wi - b), cross(a, c));
+    const Vec3<F> c1 = faceForward(crossing, a + c) * (F(1.0f) / maximum(length(crossing), tiny));
     // a + c' = p a + q c, times |a x c|.
     const F q = length(cross(a, c1)), p = length(cross(a + c1, c));
     const F part = F(2.0f) * arcTan2(q * volume, p * onePlusAB + q * cosC);
@@ -148,7 +148,7 @@ DirectionSample<F> sampleDirection(const Triangle<F>& t, Vec3<F> from, Vec2<F> u
   return sampleIf(MaskOf<F>(view.height > F(0.0f)), wi, view.pdf(distance), distance);
 }
 
-/// The density of that: 0 where the line misses the triangle.
+/// The density of sampleDirection: 0 where the line misses the triangle.
 template <class F>
 F pdfDirection(const Triangle<F>& t, Vec3<F> from, Vec3<F> wi) {
   const ShapeHit<F> hit = intersect(t, Ray<F>{from, wi});
@@ -157,8 +157,8 @@ F pdfDirection(const Triangle<F>& t, Vec3<F> from, Vec3<F> wi) {
   return densityIf(hit.valid & (view.height > F(0.0f)), view.pdf(hit.t));
 }
 
-/// The random numbers that sampleDirection makes the direction of; the nearest ones where the line misses the triangle.
-/// In a triangle of more than kUniformTriangleMin sr near b, where every u.x gives b, u.x loses its digits.
+/// Inverse of sampleDirection: the random numbers that give wi; the nearest ones where the line misses the triangle. In
+/// a triangle of more than kUniformTriangleMin sr near b, where every u.x gives b, u.x loses its digits.
 template <class F>
 Vec2<F> invertDirection(const Triangle<F>& t, Vec3<F> from, Vec3<F> wi) {
   const detail::TriangleView<F> view(t, from);

@@ -1,5 +1,5 @@
 #pragma once
-/// What the tests of the leaf kernels share: random rays, and the comparison with an answer in double precision.
+/// What the tests of the leaf kernels share: random rays, and the comparison with a result in double precision.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -33,14 +33,14 @@ struct Random {
   }
 };
 
-/// The answer in double precision. `margin`: how far the ray would have to move for another answer, scene units.
+/// The result in double precision. `margin`: how far the ray would have to move to change it, scene units.
 struct Truth {
   bool hit = false;
   double t = 0.0;
   double margin = 0.0;
 };
 
-/// One kernel call against the truth, where the truth is clear.
+/// Compares one kernel call with the result in double precision, if its margin exceeds `clear`.
 inline void expectAgrees(const ShapeHit<float>& hit, const Truth& truth, double clear, double tolerance) {
   if (truth.margin < clear) return;
   ASSERT_EQ(hit.valid, truth.hit) << "margin " << truth.margin << ", true t " << truth.t << ", t " << hit.t;

@@ -10,7 +10,7 @@
 
 namespace steradian::test {
 
-/// Where a target is seen: about the mean of its samples, as far as they spread.
+/// The directions in which a target is seen: around the mean of its samples, as wide as they spread.
 template <class S>
 SphereGrid gridAbout(const S& shape, Vec3f from) {
   Vec3f sum{};
@@ -28,7 +28,7 @@ SphereGrid gridAbout(const S& shape, Vec3f from) {
   return grid;
 }
 
-/// A shape as it is seen from a point: what prove() takes.
+/// A shape seen from a point, in the form that prove() takes.
 template <template <class> class S, class F>
 struct Seen {
   S<F> shape;

@@ -22,7 +22,7 @@ inline float randomFloat(std::uint32_t index, std::uint32_t key) {
   return toUnitFloat<float>(randomWords<std::uint32_t>(index, key, 7, 11)[0]);
 }
 
-/// Random points of the unit square, after the kAwkwardPoints pairs of numbers that samplers stumble over.
+/// Random points of the unit square, after kAwkwardPoints pairs of extreme numbers, at which samplers tend to fail.
 inline constexpr int kAwkwardPoints = 49;
 inline std::vector<Vec2f> unitPoints(std::uint32_t count) {
   std::vector<Vec2f> points;
@@ -61,8 +61,8 @@ void expectSoundTarget(const S& shape, Vec3f from, const TargetOptions& options 
     const float pdf = pdfDirection(shape, from, s.wi);
     const ShapeHit<float> hit = intersect(shape, Ray<float>{from, s.wi});
     const bool same = std::abs(pdf / s.pdf - 1.0f) <= options.pdfTolerance;
-    const bool met = hit.valid && std::abs(hit.t / s.distance - 1.0f) <= 1e-3f;
-    if ((!same || !met) && index > kAwkwardPoints) ++edges;  // awkward points make corners
+    const bool isHit = hit.valid && std::abs(hit.t / s.distance - 1.0f) <= 1e-3f;
+    if ((!same || !isHit) && index > kAwkwardPoints) ++edges;  // awkward points make corners
   }
   const double count = static_cast<double>(points.size());
   EXPECT_LE(edges / count, options.edgeShare);
@@ -72,7 +72,7 @@ void expectSoundTarget(const S& shape, Vec3f from, const TargetOptions& options 
 }
 
 /// The mean over the unit square of f(direction) / pdf by a grid of n x n midpoints: the integral of f over the solid
-/// angle of the target if sample and pdf belong together.
+/// angle of the target if sample and pdf agree.
 template <class S, class Function>
 double integrateTarget(const S& shape, Vec3f from, const Function& f, int n = 256) {
   double sum = 0.0;

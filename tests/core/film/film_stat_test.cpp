@@ -1,4 +1,4 @@
-/// Are the film's errors honest? Thousands of pixels estimate integrals that are known.
+/// The film's standard errors are right: thousands of pixels estimate integrals of known value.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -26,8 +26,8 @@ struct Integrand {
 constexpr double kPiD = 3.14159265358979323846;
 
 /// Smooth, kinked, discontinuous along a slanted edge and along a curve, lopsided; then,
-/// as a path's, of two padded dimensions. (Of heavy tails nothing can be
-/// promised: see core/statistics/standard_error.h.)
+/// as a path's, of two padded dimensions. (For heavy tails nothing can be guaranteed: see
+/// core/statistics/standard_error.h.)
 const std::vector<Integrand>& integrands() {
   static const std::vector<Integrand> all{
       {"product", [](Vec2f u, Vec2f) { return u.x * u.y; }, 0.25, 1.0 / 9.0 - 1.0 / 16.0},
@@ -141,14 +141,14 @@ TEST(FilmStatistics, IntervalsCoverWithSubSequences) {
     expectCoverage(integrand, SamplerType::Halton, 64, 0.93);
     expectCoverage(integrand, SamplerType::BlueNoise, 128, 0.93);
     expectCoverage(integrand, SamplerType::Pmj02, 128, 0.93);
-    // Pieces of the full sequence may all miss the same part of a pair of coordinates ("bounce": 87 %), so of it only
-    // the mean variance is promised (core/statistics/standard_error.h).
+    // Pieces of the full sequence may all miss the same part of a pair of coordinates ("bounce": 87 %), so for it only
+    // the mean variance is guaranteed (core/statistics/standard_error.h).
     expectCoverage(integrand, SamplerType::SobolFull, 128, 0.85);
   }
 }
 
 TEST(FilmStatistics, SubSequencesPayForTheWholeSequence) {
-  // What the error estimate must not cost: one sequence of 64 against eight independent ones of 8.
+  // The error estimate must not cost quality: one sequence of 64 is better than eight independent ones of 8.
   const Integrand& edge = integrands()[2];
   const Honesty one = honestyOf(estimate(edge, {.seed = 3, .samplesPerPixel = 64}), edge.integral);
   const Honesty eight = honestyOf(estimate(edge, {.seed = 3, .samplesPerPixel = 64, .replicates = 8}), edge.integral);

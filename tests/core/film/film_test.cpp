@@ -124,7 +124,7 @@ TEST(Film, ThreadsMayAddToDifferentPixels) {
 }
 
 TEST(Film, LongAndShortWaysGiveTheSameSums) {
-  // One huge value sends its whole run the long way; its own contribution is then taken from both sums.
+  // One huge value excludes its whole run from the fast path; its own contribution is then subtracted from both sums.
   std::vector<PixelSample> run;
   for (std::uint32_t i = 0; i < 16; ++i) {
     run.push_back(wildSample(1, 1, i));

@@ -43,7 +43,7 @@ TEST(Filter, RejectsImpossibleRadii) {
 }
 
 TEST(Filter, ValuesAreTheFormulas) {
-  // Where the formulas are known: centre, half radius, rim.
+  // At the centre, half the radius and the rim, where values are known.
   EXPECT_EQ(Filter(FilterType::Box, 2.0f).value(1.9f), 1.0f);
   EXPECT_FLOAT_EQ(Filter(FilterType::Triangle, 2.0f).value(-0.5f), 0.75f);
   EXPECT_NEAR(Filter(FilterType::Gaussian, 1.5f).value(0.5f), std::exp(-0.5) - std::exp(-4.5), 1e-6);
@@ -67,7 +67,7 @@ using Function = double (*)(double, double);
 
 /// The mean of weight * g(offset), against the same integral of the filter.
 void expectMoment(const Filter& filter, Function g, double tolerance) {
-  // Sobol' points see edges along the axes exactly, such as the sign of Mitchell's filter.
+  // Sobol' points resolve edges along the axes exactly, such as the sign of Mitchell's filter.
   constexpr std::uint32_t n = 1u << 17;
   double sampled = 0.0;
   for (std::uint32_t i = 0; i < n; ++i) {

@@ -102,14 +102,14 @@ void expectSaturation(double limit) {
     EXPECT_FALSE(sum.saturated());
     sum += Fixed::from(sign * 0.75 * limit);
     EXPECT_TRUE(sum.saturated());
-    sum += Fixed::from(-sign * 0.75 * limit);  // stays: what was lost cannot be brought back
+    sum += Fixed::from(-sign * 0.75 * limit);  // stays saturated
     EXPECT_EQ(sum.toDouble(), sign * limit);
     Fixed other = Fixed::from(-sign * 1.0);
     other += sum;
     EXPECT_EQ(other, sum);
     EXPECT_EQ(Fixed::fromSteps(sum.steps()), sum);
   }
-  // The most negative integer would have no positive twin.
+  // The lowest integer has no positive counterpart.
   Fixed lowest = Fixed::from(-0.5 * limit);
   lowest += Fixed::from(-0.5 * limit);
   EXPECT_TRUE(lowest.saturated());

@@ -21,8 +21,8 @@ Image constant(int width, int height, float r, float g, float b) {
   return image;
 }
 
-/// A grey picture, brighter to the right, with independent noise per pixel, and its standard errors as `parts`
-/// estimates of each pixel tell them (0: the true ones).
+/// A grey picture, brighter to the right, with independent noise per pixel, and its standard errors as estimated from
+/// `parts` estimates of each pixel (0: the true ones).
 struct Noisy {
   Image image;
   Image stdErr;
@@ -117,7 +117,7 @@ TEST(ZTest, NoiseFailsAtTheNominalRate) {
 }
 
 /// Blocks of 2 x 2 correlated pixels, as if they shared all of their paths.
-TEST(ZTest, PixelsThatErrAlikeAreNoReasonToFail) {
+TEST(ZTest, CorrelatedPixelsAreNoReasonToFail) {
   constexpr int trials = 100;
   std::mt19937 random(11);
   int taken = 0, ignored = 0;
@@ -144,7 +144,7 @@ TEST(ZTest, PixelsThatErrAlikeAreNoReasonToFail) {
   EXPECT_GE(ignored, 50);
 }
 
-/// Blocks of one pixel are Student's t with 7 degrees of freedom: taken for normal they fail far too often.
+/// The z of blocks of one pixel follows Student's t with 7 degrees of freedom: taken as normal, it fails far too often.
 TEST(ZTest, DegreesOfFreedomMatter) {
   std::mt19937 random(3);
   const Noisy a = render(random, 64, 0.05, 0.0, 8);

@@ -101,7 +101,7 @@ TEST(MovingTransform, RotationsTurnAtConstantSpeedTheShorterWay) {
 }
 
 TEST(MovingTransform, RotationAndStretchAreSeparate) {
-  // Half of the way of a quarter turn and a doubling is an eighth of a turn and 1.5, and no shear.
+  // Half-way, a quarter turn with scaling by 2 is an eighth of a turn with scaling by 1.5, and no shear.
   const MovingTransform both({Matrix(), scaled({2.0f, 1.0f, 1.0f}) * turned({0.0f, kPiOver2, 0.0f})});
   expectNear(both.at(0.5f), scaled({1.5f, 1.0f, 1.0f}) * turned({0.0f, kPiOver4, 0.0f}), 1e-6f);
 }
@@ -162,7 +162,7 @@ TEST(MovingTransform, BoundsHoldAllTimes) {
   EXPECT_TRUE(MovingTransform({Matrix(), moved({1, 0, 0})}).bounds({}).empty());
 }
 
-// The acceleration term alone must suffice: a point that turns once around between two samples of a lazy bound.
+// The acceleration term alone must suffice: a point makes a full turn between two samples of a naive bound.
 TEST(MovingTransform, BoundsOfATurnAreThoseOfTheArc) {
   const MovingTransform turn({turned({0.0f, 0.0f, -0.3f}), turned({0.0f, 0.0f, 2.5f})});
   const Bounds3 arc = turn.bounds({{1.0f, 0.0f, 0.0f}, {1.0f, 0.0f, 0.0f}});
@@ -173,7 +173,7 @@ TEST(MovingTransform, BoundsOfATurnAreThoseOfTheArc) {
   EXPECT_GT(arc.low.x, std::cos(2.5f) - 0.01f);
 }
 
-// A point that moves out along an arm that turns slowly dips below both of its ends, and it is the growth that does it.
+// A point that moves out along an arm that turns slowly dips below both of its end points, because of the growth.
 TEST(MovingTransform, BoundsHoldWhatGrowsAndTurns) {
   const MovingTransform arm({turned({0.0f, 0.0f, -0.1f}), scaled({10.0f, 1.0f, 1.0f}) * turned({0.0f, 0.0f, 0.09f})});
   const Vec3f end{1.0f, 0.0f, 0.0f};

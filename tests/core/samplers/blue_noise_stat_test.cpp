@@ -1,4 +1,4 @@
-/// Where the error goes: its spectrum over a picture of pixels that all estimate the same integral.
+/// The spectrum of the error over a picture of pixels that all estimate the same integral.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -40,11 +40,11 @@ std::vector<double> errors(SamplerType type, Word seed, Word samples, Integrand 
 /// Mean of |Fourier coefficient|^2 / pixels over the frequencies of at most 1/8 cycle per pixel in each direction, the
 /// mean included. White noise: the variance of a pixel.
 double lowFrequencyPower(const std::vector<double>& picture) {
-  constexpr int most = kSide / 8;
+  constexpr int maxFrequency = kSide / 8;
   double power = 0.0;
   int count = 0;
-  for (int v = -most; v <= most; ++v) {
-    for (int u = 0; u <= most; ++u) {
+  for (int v = -maxFrequency; v <= maxFrequency; ++v) {
+    for (int u = 0; u <= maxFrequency; ++u) {
       std::complex<double> sum = 0.0;
       for (Word y = 0; y < kSide; ++y) {
         for (Word x = 0; x < kSide; ++x) {

@@ -27,7 +27,7 @@ TEST(Permutation, IsABijection) {
 }
 
 TEST(Permutation, EveryPairOfImagesIsAsLikely) {
-  // Over random keys the images of two indices are any two different numbers alike.
+  // Over random keys, all pairs of different numbers are equally likely as images of two indices.
   for (const Word count : {2u, 3u, 4u, 6u, 9u, 16u}) {
     for (const Word other : {1u, count - 1u}) {
       std::vector<double> pairs(count * count, 0.0), expected(count * count, 0.0);

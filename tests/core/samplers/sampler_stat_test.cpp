@@ -60,7 +60,7 @@ TEST_P(SamplerStatistics, DimensionsAreIndependent) {
 }
 
 TEST_P(SamplerStatistics, PixelsSeedsAndReplicatesAreIndependent) {
-  // Blue noise ties the neighbours of a square of pixels together: there, pixels of two squares.
+  // Blue noise correlates the pixels of a square: there, pixels of two squares are tested.
   const bool tied = GetParam() == SamplerType::BlueNoise;
   EXPECT_GT(squarePValue(kCount,
                          [&](Word i) {
@@ -149,7 +149,7 @@ TEST(SamplerVariance, StratificationAndNetsPay) {
       if (type == SamplerType::Independent) continue;
       EXPECT_LT(variance(type, samples, product), 0.75 * plain) << samples << ' ' << nameOf(type);
     }
-    // What is not padded gains in all four coordinates together.
+    // Without padding, the gain is joint in all four coordinates.
     EXPECT_LT(variance(SamplerType::SobolFull, samples, product), (samples == 256 ? 0.05 : 0.35) * plain) << samples;
   }
 }

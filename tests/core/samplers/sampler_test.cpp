@@ -213,8 +213,8 @@ TEST(Sampler, DegenerateSettingsWork) {
   }
 }
 
-/// Beyond its coordinates the full sequence begins again. With one order of the samples in all blocks, the first digits
-/// of a coordinate would tell those of its namesake: 64 samples would meet 8 cells of 8 x 8.
+/// Beyond its coordinates the full sequence begins again. With the same order of samples in all blocks, the first
+/// digits of a coordinate would determine those of its counterpart: 64 samples would fall into 8 cells of 8 x 8.
 TEST(Sampler, BlocksOfTheFullSequenceAreUntied) {
   const SamplerSettings settings{.type = SamplerType::SobolFull, .samplesPerPixel = 64};
   for (std::uint32_t dimension = 0; dimension < 20; ++dimension) {

@@ -27,7 +27,7 @@ testing::AssertionResult proveMixture(const P& make, std::optional<double> noSam
   return prove(make, options);
 }
 
-/// The upper half of a sphere of directions: half of its samples are none.
+/// The upper half of a sphere of directions: half of its draws give no sample.
 struct HalfPdf {
   DirectionSample<float> sample(Vec2f u) const {
     const Vec3f wi = UniformSphere<float>::sample(u);

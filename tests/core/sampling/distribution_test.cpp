@@ -53,7 +53,7 @@ TEST(PiecewiseConstant1D, SamplesInvertAndHaveTheirDensity) {
       ASSERT_LT(s.bin, weights.size());
       EXPECT_GT(weights[s.bin], 0.0f);
       EXPECT_FLOAT_EQ(s.pdf, d.probability(s.bin) * static_cast<float>(weights.size()));
-      // The place in the bin is a float of its own: near an edge the neighbour answers.
+      // The position in the bin is rounded: near an edge it may fall into the neighbouring bin.
       const float inside = s.x * static_cast<float>(weights.size()) - static_cast<float>(s.bin);
       if (inside > 1e-4f && inside < 0.9999f) {
         EXPECT_EQ(d.pdf(s.x), s.pdf) << kind << ' ' << u;

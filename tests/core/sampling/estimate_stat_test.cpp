@@ -1,4 +1,4 @@
-/// Intervals hold what they promise, for every kind of points.
+/// Intervals have their nominal coverage, for every kind of points.
 #include "steradian/core/sampling/estimate.h"
 #include "steradian/tests/support/statistics.h"
 

@@ -38,7 +38,7 @@ TEST(Estimate, TheErrorIsThatOfTheSamplesOrOfTheReplicates) {
   EXPECT_DOUBLE_EQ(independent.variance, 6.0);
   EXPECT_DOUBLE_EQ(independent.standardError, std::sqrt(6.0 / 8.0));
   value = 0.0;
-  // Samples are dealt in turn: means 3 and 4.
+  // Samples go to the replicates in turn: means 3 and 4.
   const Estimate sobol = estimate(count, {.sampler = SamplerType::Sobol, .samples = 8, .replicates = 2});
   EXPECT_DOUBLE_EQ(sobol.mean, 3.5);
   EXPECT_DOUBLE_EQ(sobol.standardError, 0.5);

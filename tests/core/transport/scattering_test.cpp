@@ -21,7 +21,7 @@ TEST(MisWeight, NeedsNoSpecularFlag) {
   EXPECT_EQ(misWeight(3.0f, kDirac), 0.0f);
   EXPECT_EQ(misWeight(kDirac, 0.0f), 1.0f);
   EXPECT_EQ(misWeight(3.0f, 0.0f), 1.0f);
-  // Neither the square of a large density nor that of a small one gets out of hand.
+  // Neither the square of a large density overflows nor that of a small one underflows.
   EXPECT_EQ(misWeight(1e-30f, 1e30f), 0.0f);
   EXPECT_EQ(misWeight(1e30f, 1e-30f), 1.0f);
 }

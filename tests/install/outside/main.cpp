@@ -1,5 +1,5 @@
-// A project of someone else, which has nothing but the installed package: builds scenes, renders two of them at once in
-// its own arenas, stops one of them, and reads pixels.
+// An outside project, which uses only the installed package: builds scenes, renders two of them at once in its own
+// arenas, stops one of them, and reads pixels.
 #include <steradian/integrators/path/path.h>
 #include <steradian/integrators/render/render.h>
 #include <tbb/task_arena.h>

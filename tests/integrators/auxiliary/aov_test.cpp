@@ -10,7 +10,7 @@
 namespace steradian {
 namespace {
 
-/// A red unit sphere in a sky of radiance 1, and what lies beside it.
+/// A red unit sphere in a sky of radiance 1.
 const Scene& redSphere() {
   static const Scene scene([] {
     SceneDescription s = test::sphereInSky(LambertMaterial{});
@@ -20,7 +20,7 @@ const Scene& redSphere() {
   return scene;
 }
 
-/// What the integrator finds from z = 4 towards (x, y, 0).
+/// The integrator's sample for the ray from z = 4 towards (x, y, 0).
 PixelSample look(const RadianceIntegrator& integrator, float x, float y) {
   const Ray<float> ray{{0, 0, 4}, normalize(Vec3f{x, y, -4.0f})};
   const auto prepared = integrator.prepare(redSphere(), {});

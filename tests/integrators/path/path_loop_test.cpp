@@ -60,7 +60,7 @@ TEST(PathLoop, ScatteredDirectionsHaveTheirDensity) {
   }
 }
 
-/// Light samples as told; the numbers asked for are kept.
+/// Returns the given light sample and records the random numbers that it was sampled with.
 struct OneLight {
   LightSample<float> light;
   bool shadow = false;

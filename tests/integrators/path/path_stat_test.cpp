@@ -1,5 +1,4 @@
-/// The strategies and proposals of the path integrator estimate the same picture, and a wrong density does not go
-/// unnoticed.
+/// The strategies and proposals of the path integrator estimate the same picture, and wrong densities are detected.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -167,9 +166,10 @@ TEST(Roulette, DoesNotChangeTheMean) {
   }
 }
 
-// Of a light that scattering finds about as often, both techniques must weigh all samples of the other. Irradiance
-// below the centre of a square of half edge 2 at height 1: 4 a atan(a), a = 2 / sqrt(5).
-TEST(LightSamples, OfAWideLightKnowOneAnother) {
+// For a light that BSDF sampling finds about as often as light sampling, each technique's weights must account for all
+// samples of the other. Irradiance below the centre of a square of half edge 2 at height 1: 4 a atan(a), a = 2 /
+// sqrt(5).
+TEST(LightSamples, OfAWideLightAreWeightedWithScattering) {
   SceneDescription description = test::floorPoint();
   const Id square = test::addQuad(description, {-2, 1, -2}, {4, 0, 0}, {0, 0, 4}, test::addAbsorber(description));
   description.setEmission(square, {grey(1.0f), false});

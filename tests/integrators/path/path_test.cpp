@@ -33,7 +33,7 @@ void expectEverywhere(const Film& film, double expected, double tolerance = 1e-5
 }
 
 TEST(Path, DepthCountsBouncesInTheFurnace) {
-  // Scattering finds the same light wherever it goes, so there is no noise: 0.5 (1 + r + ... + r^d).
+  // BSDF samples find the same radiance in every direction, so there is no noise: 0.5 (1 + r + ... + r^d).
   PathSettings settings = with(Strategy::Bsdf);
   double expected = 0.0;
   for (std::uint32_t depth = 0; depth < 6; ++depth) {
@@ -155,7 +155,7 @@ TEST(Path, RefusesSettingsOutOfRange) {
   EXPECT_TRUE(refused([](auto& s) { s.rouletteStrength = 1.5f; }));
 }
 
-// A point on an emitter is off it by a rounding error, and must not take the emitter for a huge light before it.
+// A point on an emitter is off it by a rounding error, and must not sample that emitter as a huge light in front of it.
 TEST(Path, EmittersThatScatterDoNotLightThemselves) {
   SceneDescription scene;
   const Id matte = scene.addMaterial("matte", LambertMaterial{scene.addColour({0.5f, 0.5f, 0.5f})});

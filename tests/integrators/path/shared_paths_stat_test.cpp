@@ -27,7 +27,7 @@ void expectSameMeans(const Scene& scene, const std::string& plain, const std::st
     difference.add(a[0] - b[0]);
     brightness.add(b[0]);
   }
-  EXPECT_LT(difference.standardError(), precision * brightness.mean()) << plain;  // or it would notice nothing
+  EXPECT_LT(difference.standardError(), precision * brightness.mean()) << plain;  // or the test has no power
   EXPECT_GT(test::zTestPValue(difference.mean(), difference.standardError(), 0.0, 1e-5 * brightness.mean()),
             test::sidakLevel(test::suiteLevel(), kComparisons))
       << plain << reuse << ": " << difference.mean() / brightness.mean();

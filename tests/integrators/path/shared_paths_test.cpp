@@ -60,8 +60,8 @@ TEST(SharedPaths, AreTheSameForEveryInstructionSetCropTileAndThread) {
   }
 }
 
-/// Where all first surfaces have one colour, what a group's pixels gather from an x2 is, by the weights, what its own
-/// pixel would have: sums over groups are those of paths that share nothing.
+/// Where all first surfaces have one colour, the weights give the pixels of a group together what the pixel of x2 alone
+/// would have: sums over groups equal those without sharing.
 TEST(SharedPaths, KeepTheSumsOfGroupsOfOneColour) {
   const Scene scene(greyRoom());
   const RenderSettings settings = settingsOf(32, 32, 16);

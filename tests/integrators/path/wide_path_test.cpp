@@ -220,7 +220,7 @@ TEST(WidePath, AnEmptySceneIsBlack) {
   EXPECT_EQ(result.counts.bounceRays, 0u);
 }
 
-/// A lane without a path may hold anything.
+/// Values in lanes without a path must not matter.
 TEST(WidePath, IdleLanesDoNotMatter) {
   const Scene scene(plainRoom(), kFlat);
   const WideScene wide(scene);

@@ -55,7 +55,7 @@ TEST(RadianceIntegratorWith, PreparesOncePerRender) {
   EXPECT_EQ(integrator.timesPrepared, 2);
 }
 
-/// What can be neither copied nor moved, and is gone when the render is.
+/// Prepared data that can be neither copied nor moved, and is destroyed when the render ends.
 struct Guard {
   explicit Guard(int& alive) : alive_(alive) { ++alive_; }
   Guard(const Guard&) = delete;

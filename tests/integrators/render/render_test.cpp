@@ -19,7 +19,7 @@ namespace {
 
 using test::settingsOf;
 
-/// Glass, a coat, a rotated box and two kinds of light: whatever could depend on the order of work.
+/// Glass, a coat, a rotated box and two kinds of light: everything that might depend on the order of work.
 const Scene& busyRoom() {
   static const Scene scene([] {
     SceneDescription s = test::room();
@@ -238,7 +238,7 @@ TEST(Render, SeveralRendersAtOnceInArenasOfTheirOwn) {
   second.join();
   EXPECT_EQ(a, expectedA);
   EXPECT_EQ(b, expectedB);
-  EXPECT_EQ(threads, own);  // arenas of one thread: nobody else took part
+  EXPECT_EQ(threads, own);  // arenas of one thread: no other thread took part
 }
 
 /// One sample in eight of the left half is not a number or infinite.

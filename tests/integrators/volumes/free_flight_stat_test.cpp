@@ -83,7 +83,7 @@ TEST(Media, ScatterOverSeveralSegments) {
   expectRadiance(scene, std::exp(-2.0));
 }
 
-// Channels of different density: the flight is drawn for one of them, all are weighed.
+// Channels of different density: the distance is sampled for one of them, and all are weighted.
 TEST(Media, EveryChannelHasItsOwnLaw) {
   SceneDescription scene = slab({.absorption = {0.0f, 0.2f, 0.0f}, .scattering = {0.1f, 0.5f, 2.0f}});
   scene.defaults.maxDepth = 0;
@@ -103,7 +103,7 @@ TEST(Media, ScatterOnceAsTheIntegralSays) {
   }
 }
 
-// A white medium changes nothing under a white sky, however it scatters and whatever is around it.
+// A white medium is invisible under a white sky, with any phase function and any boundary.
 TEST(Media, FurnaceOfWhiteMedia) {
   for (const float g : {0.0f, 0.8f, -0.5f}) {
     SceneDescription scene = test::sphereInSky(InterfaceMaterial{});
@@ -146,7 +146,7 @@ TEST(Media, StrategiesAgreeThroughABoundaryThatIsATarget) {
   expectStrategiesAgree(scene, 256, 16);
 }
 
-// Fog that lies on the floor: whichever of the two rounding puts first.
+// Fog that stands on the floor: rounding decides which of the two is hit first.
 TEST(Media, StandOnTheFloorWithoutALeak) {
   for (const MediumDescription& fog :
        {MediumDescription{.scattering = grey(2.5f)}, MediumDescription{.absorption = grey(0.5f)}}) {
@@ -189,7 +189,7 @@ double difference(const SceneDescription& a, const SceneDescription& b) {
   return sum / total;
 }
 
-// Priorities replace what one had to model by hand: relative indices at every contact, and cut-outs.
+// Priorities replace modelling by hand: relative indices at every contact, and cut-outs.
 TEST(NestedDielectrics, AreWhatRelativeIndicesSay) {
   const auto spheres = [](float inner, float outer) {
     SceneDescription scene = test::room();
@@ -202,7 +202,7 @@ TEST(NestedDielectrics, AreWhatRelativeIndicesSay) {
   nested.shapes[outer].interior = Interior{.priority = 1};
   nested.shapes[inner].interior = Interior{.priority = 2};
   EXPECT_LT(difference(byHand, nested), 1e-4);
-  // An inner body of lower priority is not there at all.
+  // An inner body of lower priority has no effect.
   nested.shapes[inner].interior = Interior{};
   nested.shapes[inner].interior->priority = 1;
   nested.shapes[outer].interior->priority = 2;

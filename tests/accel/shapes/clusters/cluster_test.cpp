@@ -94,7 +94,7 @@ TEST(Cluster, EquallyNearHitsGoToTheSmallestId) {
   EXPECT_EQ(nearest({3.0f, 0.0f, 0.0f, 4, 0, kNone}, kNone).shape, 3u);
   EXPECT_EQ(nearest({3.0f, 0.0f, 0.0f, 3, 10, 5}, 4).instance, 4u);
   EXPECT_EQ(nearest({3.0f, 0.0f, 0.0f, 3, 10, 5}, 6).instance, 5u);
-  // A nearer hit stays whatever its id.
+  // A nearer hit stays, regardless of its id.
   EXPECT_EQ(nearest({2.0f, 0.0f, 0.0f, 4, 0, kNone}, kNone).shape, 4u);
 }
 
@@ -149,7 +149,7 @@ TEST(ClusterPartition, ClustersAreCompact) {
   EXPECT_LT(volume, 1.2 * 20.0 * 20.0 * 20.0);
 }
 
-TEST(ClusterPartition, GiantsAreAlone) {
+TEST(ClusterPartition, OversizedPrimitivesAreAlone) {
   Random random(5);
   std::vector<Bounds3> all = randomBounds(random, 500, 11.0f, 0.2f);
   all[123] = {{-1000.0f, -2000.0f, -1000.0f}, {1000.0f, 0.0f, 1000.0f}};
@@ -180,7 +180,7 @@ TEST(ClusterPartition, HoldsEveryPrimitiveOnceAtTheEndsOfFloats) {
 }
 
 TEST(ClusterPartition, SmallPartsOfMuchAreCutInTheMiddleInTheEnd) {
-  // Each ten times as far away as the one before: a plane parts one from all others.
+  // Each ten times as far away as the one before: a plane separates one from all others.
   std::vector<Bounds3> all(5000, Bounds3{{0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.0f}});
   float place = 1e-37f;
   for (std::size_t i = 0; i < 75; ++i, place *= 10.0f) all[i] = {{place, place, place}, {place, place, place}};

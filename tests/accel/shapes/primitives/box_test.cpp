@@ -108,7 +108,7 @@ TEST(Box, AxisParallelRaysAreExact) {
   EXPECT_EQ(left.u, 0.0f);
   EXPECT_FALSE(intersect(box, Ray<float>{{1.5f, 0.0f, 5.0f}, {0.0f, 0.0f, -1.0f}}).valid);
   EXPECT_FALSE(intersect(box, Ray<float>{{0.0f, 0.0f, 5.0f}, {0.0f, 0.0f, 1.0f}}).valid);
-  // In the plane of a face, along it: in or out is a matter of taste, NaN is not.
+  // Along a face, in its plane: either result is acceptable, but not NaN.
   const ShapeHit<float> along = intersect(box, Ray<float>{{1.0f, 0.0f, 5.0f}, {0.0f, 0.0f, -1.0f}});
   if (along.valid) {
     EXPECT_EQ(along.t, 2.0f);

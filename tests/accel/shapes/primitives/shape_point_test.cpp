@@ -32,7 +32,7 @@ TEST(ShapePoint, TheErrorOfFarBoxesCoversTheirPlace) {
     EXPECT_LE(error, static_cast<double>(point.error.y)) << i;
     largest = std::max(largest, error);
   }
-  EXPECT_GT(largest, 1e-3);  // else the places were not far enough to show anything
+  EXPECT_GT(largest, 1e-3);  // else the boxes were not far enough for the test to mean anything
 }
 
 /// The point of a sphere lies on it, however far the ray came from.

@@ -58,7 +58,7 @@ TEST(Sphere, GroundOfRadiusThousandIsExactToItsCoordinates) {
     Vec3f direction = random.direction();
     direction.y = -std::abs(direction.y) - 0.2f;
     const Ray<float> ray{origin, normalize(direction)};
-    // One ulp of 1000 is 6e-5; the ray meets the ground at a sine of about 0.2 or more.
+    // One ulp of 1000 is 6e-5; the ray hits the ground at a sine of about 0.2 or more.
     ASSERT_NO_FATAL_FAILURE(expectAgrees(intersect(ground, ray), truthOf(ground, ray), 1e-3, 2e-3));
   }
 }

@@ -29,7 +29,7 @@ TEST(HittablePdf, OfAGroupSumsOverAllMembers) {
   const std::array<float, 3> weights{1.0f, 2.0f, 5.0f};
   const TargetGroup group({kNear, kBehind, kAside}, weights);
   const HittablePdf pdf(group, {});
-  // The occluded quad counts where the sphere hides it.
+  // The occluded quad contributes where the sphere hides it.
   const Vec3f ahead{0.0f, 0.0f, 1.0f};
   EXPECT_FLOAT_EQ(pdf.pdf(ahead), 0.125f * kNear.pdfDirection({}, ahead) + 0.25f * kBehind.pdfDirection({}, ahead));
   EXPECT_FLOAT_EQ(pdf.pdf({1.0f, 0.0f, 0.0f}), 0.625f * kAside.pdfDirection({}, {1.0f, 0.0f, 0.0f}));

@@ -36,7 +36,7 @@ TEST(QuadSamplingStat, SkewQuads) {
 }
 
 TEST(QuadSamplingStat, Slivers) {
-  // From as near as it is narrow it fills a wedge.
+  // Seen from a distance as small as its width, it fills a wedge.
   EXPECT_TRUE(proveTarget(kSliver, {0.3f, -0.999f, 0.999f}));
   EXPECT_TRUE(checkOnQuad(kSliver, {0.3f, -0.7f, 0.5f}));
   EXPECT_TRUE(checkOnQuad(kSliver, {0.3f, -0.7f, 0.99f}));

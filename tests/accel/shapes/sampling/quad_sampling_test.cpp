@@ -99,7 +99,7 @@ TEST(QuadSampling, SliversKeepTheirDigits) {
   for (const float offset : {0.0f, 0.5f, -0.8f}) {
     const Vec3f from{offset, -0.999f, 0.999f};
     EXPECT_NEAR(sampleDirection(kSliver, from, {0.5f, 0.5f}).pdf * solidAngleOfQuad(kSliver, from), 1.0, 1e-5);
-    // Seen from as near as it is narrow, it fills a wedge of 90 degrees.
+    // Seen from a distance as small as its width, it fills a wedge of 90 degrees.
     const double z = integrateTarget(kSliver, from, [](Vec3f wi) { return wi.z; });
     EXPECT_NEAR(z, 2.0 * std::sqrt(0.5) * 3.14159265 / 2.0, 0.01);
   }

@@ -98,7 +98,7 @@ TEST(SampledShape, TheMeanInversePositionDensityIsTheArea) {
   }
 }
 
-// At each time it is what the map of that time makes of it.
+// At each time it equals the shape under the map of that time.
 TEST(SampledShape, InMotionIsTheMappedShapeOfTheTime) {
   const MovingTransform first({Matrix(), kShear}),
       then({kStretch, linear({0.0f, 0.0f, -1.0f}, {0.0f, 2.0f, 0.0f}, {1.0f, 0.0f, 0.0f})});
@@ -146,8 +146,8 @@ TEST(SampledShape, AreaOfAnEllipsoid) {
   EXPECT_NEAR(ellipse.area(), 3.14159265 * 1.5, 1e-5);
 }
 
-// The ray through the inverse map meets the local shape exactly where the ray meets the mapped one.
-TEST(SampledShape, DirectionsMeetTheMappedShape) {
+// The ray under the inverse map hits the local shape exactly where the ray hits the mapped one.
+TEST(SampledShape, DirectionsHitTheMappedShape) {
   const auto check = [](const auto& local, const Matrix& m, Vec3f from, double noSample) {
     const SampledShape world = transformed(SampledShape(local), m);
     const Matrix inverse = m.inverse();
@@ -167,7 +167,7 @@ TEST(SampledShape, DirectionsMeetTheMappedShape) {
     }
     EXPECT_LE(edges, 3);
     EXPECT_NEAR(none / 449.0, noSample, noSample > 0.0 ? 0.1 : 0.0);
-    // pdf and sample belong together: the mean of 1 / pdf is the solid angle, found by rays of all directions.
+    // pdf and sample agree: the mean of 1 / pdf is the solid angle, found by rays of all directions.
     double hits = 0.0;
     const int n = 256;
     for (int i = 0; i < n * n; ++i) {
@@ -196,7 +196,7 @@ TEST(SampledShape, DirectionsMeetTheMappedShape) {
   }
 }
 
-// Powers of two scale floats exactly: whatever is not free of units would show.
+// Powers of two scale floats exactly: any dependence on units would show.
 TEST(SampledShape, NothingDependsOnTheUnitOfLength) {
   const auto scaled = [](const auto& shape, float s) {
     auto copy = shape;

@@ -29,7 +29,7 @@ TEST(Sampling, OneHeaderSuffices) {
     if (s.pdf > 0.0f) sum += static_cast<double>(maximum(s.wi.z, 0.0f) / s.pdf);
   }
   EXPECT_NEAR(sum / samples, 3.14159, 0.05);
-  // Of each part something, so that the linker sees it too.
+  // Uses something of each part, so that it must link.
   const std::array<float, 4> weights{1.0f, 2.0f, 3.0f, 4.0f};
   EXPECT_GT(PiecewiseConstant2D(weights, 2, 2).sample(Vec2f{0.3f, 0.4f}).pdf, 0.0f);
   EXPECT_GT(HierarchicalWarp(weights, 2, 2).sample(Vec2f{0.3f, 0.4f}).pdf, 0.0f);
@@ -76,7 +76,7 @@ TEST(Sampling, BringsNoSceneAndNoRayTracer) {
     EXPECT_TRUE(name.find('/') == name.npos || name.starts_with("Imath/")) << name;
     EXPECT_EQ(name.find("rtcore"), name.npos) << name;
   }
-  // The look itself works: a header with a scene is seen to have one.
+  // The check itself works: it finds the scene in a header that includes one.
   std::set<std::string> other;
   collectIncludes("accel/shapes/primitives/shape_at.h", other, foreign);
   EXPECT_EQ(other.count("core/scene/description.h"), 1u);
@@ -84,8 +84,8 @@ TEST(Sampling, BringsNoSceneAndNoRayTracer) {
 
 // --- Far from usual sizes ---------------------------------------------------------------------------------------
 
-/// A sample is finite and of unit length, its density a positive float, or it is none; densities and inverses of it and
-/// of other directions are in range.
+/// A sample is finite and of unit length with a positive float as density, or it is no sample; densities and inverses
+/// of it and of other directions are in range.
 template <class S>
 void expectNothingBreaks(const S& shape, Vec3f from, const std::string& where) {
   static const std::vector<Vec2f> points = unitPoints(20);
@@ -106,7 +106,7 @@ void expectNothingBreaks(const S& shape, Vec3f from, const std::string& where) {
   }
 }
 
-/// Scales of scenes, in any of which the rest happens.
+/// Scales of scenes, for all of which the tests below run.
 constexpr std::array<float, 5> kScales{1e-6f, 1e-3f, 1.0f, 1e3f, 1e6f};
 /// Distances from a surface in units of the shape: on it, next to it, far from it.
 constexpr std::array<float, 9> kGaps{0.0f, 1e-7f, -1e-7f, 1e-5f, 1e-3f, -0.3f, 1.0f, 1e4f, 1e8f};

@@ -31,7 +31,7 @@ TEST(SphereSampling, SamplesAreSound) {
   for (const float distance : {0.0f, 0.1f, 0.4999f}) {
     expectSoundTarget(kSphere, kSphere.center + Vec3f{0.0f, distance, 0.0f});
   }
-  // On the surface, the directions that leave the sphere do not meet it.
+  // On the surface, the directions that leave the sphere do not hit it.
   expectSoundTarget(kSphere, kSphere.center + Vec3f{0.0f, 0.5f, 0.0f}, {.noSample = 0.5});
 }
 
