@@ -90,6 +90,7 @@ TEST_F(Diff, WhatCannotBeCompared) {
 using Info = CliTest;
 
 TEST_F(Info, CountsInstances) {
+  EXPECT_NE(run({"info", "cornell-city:100"}).output.find("traced by bvh8"), std::string::npos);
   const Outcome outcome = run({"info", "cornell-tower:9"});
   EXPECT_EQ(outcome.exitCode, 0);
   for (const char* part : {"box 18, quad 54", "9 emitting primitives", "9 instances", "600x600"})

@@ -8,6 +8,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "steradian/accel/accel.h"
 #include "steradian/core/base/isa.h"
 #include "steradian/tests/apps/cli_test.h"
 
@@ -51,12 +52,13 @@ TEST_F(Render, AnExrSaysWhereItComesFrom) {
   EXPECT_EQ(*seed, "7");
 }
 
-TEST_F(Render, ThreadsTilesAndInstructionSetsDoNotChangeABit) {
+TEST_F(Render, ThreadsTilesInstructionSetsAndStructuresDoNotChangeABit) {
   std::vector<std::vector<std::string>> ways{
       {"-t", "1"}, {"-t", "2"}, {"-t", "3", "--tile", "5"}, {"-t", "8", "--tile", "64"}};
   for (const Isa isa : compiledIsas()) {
     if (isUsable(isa)) ways.push_back({"--isa", std::string(nameOf(isa))});
   }
+  for (const std::string_view accel : kAccelNames) ways.push_back({"--accel", std::string(accel)});
   std::vector<float> first;
   for (std::vector<std::string> way : ways) {
     way.insert(way.end(), {"-o", "a.exr"});
@@ -66,6 +68,29 @@ TEST_F(Render, ThreadsTilesAndInstructionSetsDoNotChangeABit) {
   }
   ASSERT_EQ(render({"--seed", "1", "-o", "a.exr"}).exitCode, 0);
   EXPECT_NE(pixelsOf(image("a.exr")), first) << "the test must be able to fail";
+}
+
+TEST_F(Render, StructuresDoNotChangeABitOfLargerScenes) {
+  for (const char* scene : {"cornell-city:300", "next-week-final"}) {
+    ASSERT_EQ(render({"--accel", "bvh8", "-o", "own.exr"}, scene).exitCode, 0);
+    const Outcome outcome = render({"--accel", "embree", "--stats=json", "-o", "embree.exr"}, scene);
+    ASSERT_EQ(outcome.exitCode, 0);
+    EXPECT_EQ(pixelsOf(image("own.exr")), pixelsOf(image("embree.exr"))) << scene;
+    const nlohmann::json stats = nlohmann::json::parse(outcome.output);
+    EXPECT_EQ(stats["accel"], "embree");
+    EXPECT_GT(stats["embree"]["rays"], 20 * 15 * 2);
+    EXPECT_GT(stats["embree"]["callbacks"], stats["embree"]["rays"]);
+  }
+}
+
+TEST_F(Render, StructuresThatASceneCannotHaveAreRefusedByName) {
+  expectComplaints(render({"--accel", "flat", "-o", "a.exr"}, "cornell-city:300"), 2,
+                   {"accel flat is not for more than 64 primitives"});
+  expectComplaints(render({"--accel", "flat", "-o", "a.exr"}, "cornell-tower:4"), 2,
+                   {"accel flat is not for instances"});
+  expectComplaints(render({"--accel", "bvh", "-o", "a.exr"}), 2,
+                   {"unknown acceleration structure \"bvh\" (did you mean \"bvh8\"?)"});
+  EXPECT_TRUE(files().empty());
 }
 
 TEST_F(Render, ACropIsTheSamePartOfTheFullPicture) {
@@ -153,7 +178,7 @@ TEST_F(Render, StatisticsAreJsonBesideTheProgress) {
   EXPECT_NE(outcome.error.find("100% 0:0"), std::string::npos) << outcome.error;
   const nlohmann::json stats = nlohmann::json::parse(outcome.output);
   for (const char* key : {"render_seconds", "seconds", "samples", "rays", "path_lengths", "primitives", "bytes",
-                          "non_finite_samples", "width", "height", "threads", "seed", "stopped"})
+                          "accel", "embree", "non_finite_samples", "width", "height", "threads", "seed", "stopped"})
     EXPECT_TRUE(stats.contains(key)) << key;
   EXPECT_EQ(stats["samples"], 20 * 15 * 2);
   EXPECT_EQ(stats["rays"]["camera"], 20 * 15 * 2);

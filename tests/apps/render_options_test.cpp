@@ -139,6 +139,13 @@ TEST(RenderOptions, Values) {
   EXPECT_EQ(options.statistics, StatisticsFormat::Text);
 }
 
+TEST(RenderOptions, Structures) {
+  EXPECT_EQ(parse({}).accel, Accel::Auto);
+  EXPECT_EQ(parse({"--accel", "embree"}).accel, Accel::Embree);
+  EXPECT_TRUE(
+      contains(complaint({"--accel", "flap"}), R"(unknown acceleration structure "flap" (did you mean "flat"?))"));
+}
+
 TEST(RenderOptions, InstructionSets) {
   EXPECT_EQ(parse({}).settings.execution.isa, bestIsa());
   EXPECT_EQ(parse({"--isa", "baseline"}).settings.execution.isa, Isa::Baseline);
