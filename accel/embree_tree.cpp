@@ -15,6 +15,7 @@ struct Built {
   std::uint32_t count;
 };
 
+// NOLINTNEXTLINE(performance-no-int-to-ptr): the number of a leaf is handed to Embree as if it were a pointer.
 void* leafOf(std::uint32_t thing) { return reinterpret_cast<void*>((static_cast<std::uintptr_t>(thing) << 1) | 1u); }
 bool isLeaf(const void* node) { return (reinterpret_cast<std::uintptr_t>(node) & 1u) != 0; }
 std::uint32_t thingOf(const void* leaf) {
