@@ -96,7 +96,8 @@ void registerLeaf(const std::string& name) {
   benchmark::RegisterBenchmark(("leaf/" + name + "/any").c_str(), [](benchmark::State& state) {
     const Cluster<Leaf> cluster = fullCluster<Leaf>();
     const std::vector<Ray<float>> rays = raysAtCube();
-    measureRays(state, kInputs, [&](std::size_t i) { return clusterOccludes(cluster, broadcastRay<LeafLanes>(rays[i])); });
+    measureRays(state, kInputs,
+                [&](std::size_t i) { return clusterOccludes(cluster, broadcastRay<LeafLanes>(rays[i])); });
   });
 }
 

@@ -133,7 +133,8 @@ TEST(WidePath, EqualsWidthOneForEverySamplerFilterAndCrop) {
 TEST(WidePath, EqualsWidthOneWithAndWithoutAHierarchy) {
   for (const char* name : {"one-weekend", "cornell-city:200", "cornell-tower:3", "simple-light", "earth"}) {
     for (const std::uint32_t maxClustersWithoutTree : {64u, 0u}) {
-      const Scene scene(makeScene(name), {.geometry = {.accel = {.maxClustersWithoutTree = maxClustersWithoutTree}}, .lights = {}});
+      const Scene scene(makeScene(name),
+                        {.geometry = {.accel = {.maxClustersWithoutTree = maxClustersWithoutTree}}, .lights = {}});
       expectEqualWidths(scene, "path", settingsOf(16, 9, 3));
     }
   }

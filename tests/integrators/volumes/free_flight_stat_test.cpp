@@ -45,7 +45,8 @@ TEST(Media, FillMeshes) {
   box.indices = {0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4,
                  2, 6, 3, 3, 6, 7, 0, 4, 2, 2, 4, 6, 1, 3, 5, 3, 7, 5};
   scene.shapes[0].geometry = std::move(box);
-  const Scene built(scene, {.geometry = {.accel = {.maxClustersWithoutTree = 0, .maxClusteredTriangles = 0}}, .lights = {}});
+  const Scene built(scene,
+                    {.geometry = {.accel = {.maxClustersWithoutTree = 0, .maxClusteredTriangles = 0}}, .lights = {}});
   const RenderResult result = render(built, PathIntegrator(with(Strategy::Mis)), test::settingsOf(8, 8, 4));
   for (int i = 0; i < 64; ++i) EXPECT_NEAR(result.film.radiance(i % 8, i / 8).g, std::exp(-1.4), 1e-5);
 }
