@@ -16,9 +16,8 @@ struct Built {
   std::uint32_t count;
 };
 
-void* leafOf(std::uint32_t cluster) {
-  return reinterpret_cast<void*>((static_cast<std::uintptr_t>(cluster) << 1) | 1u);
-}
+// NOLINTNEXTLINE(performance-no-int-to-ptr): the number of a leaf is handed to Embree as if it were a pointer.
+void* leafOf(std::uint32_t cluster) { return reinterpret_cast<void*>((std::uintptr_t{cluster} << 1) | 1u); }
 bool isLeaf(const void* node) { return (reinterpret_cast<std::uintptr_t>(node) & 1u) != 0; }
 std::uint32_t clusterOf(const void* leaf) {
   return static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(leaf) >> 1);

@@ -24,7 +24,7 @@ constexpr bool isMadeOfFloats(std::index_sequence<i...>) {
 }
 template <class Model>
 constexpr std::size_t countParameters() {
-  constexpr std::size_t count = std::is_empty_v<Model> ? 0 : sizeof(Model) / sizeof(float);
+  constexpr std::size_t bytes = std::is_empty_v<Model> ? 0 : sizeof(Model), count = bytes / sizeof(float);
   static_assert(isMadeOfFloats<Model>(std::make_index_sequence<count>{}),
                 "a model has parameters F or Spectrum<F> only");
   if constexpr (requires(Model model) { model.reflectance; }) {

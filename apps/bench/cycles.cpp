@@ -1,11 +1,11 @@
 #include "steradian/apps/bench/cycles.h"
 
 #include <fmt/format.h>
-#include <stdlib.h>  // mkdtemp
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>  // mkdtemp
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>

@@ -1,9 +1,9 @@
 #include "steradian/apps/bench/machine.h"
 
 #include <fmt/format.h>
-#include <stdlib.h>  // getloadavg
 #include <tbb/task_arena.h>
 
+#include <cstdlib>  // getloadavg
 #include <fstream>
 
 #include "steradian/core/base/build_info.h"

@@ -70,7 +70,7 @@ inline constexpr std::size_t kBatches = kInputs / static_cast<std::size_t>(width
 
 /// "warp/cosine-hemisphere" at width 1, "warp/cosine-hemisphere/8" in lanes.
 template <class F>
-std::string widthName(std::string name) {
+std::string widthName(const std::string& name) {
   return widthOf<F> == 1 ? name : name + "/" + std::to_string(widthOf<F>);
 }
 

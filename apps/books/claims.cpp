@@ -20,6 +20,7 @@ struct Bench {
 
   std::vector<TrialResult> run(const std::vector<Trial>& trials) {
     std::vector<TrialResult> results;
+    results.reserve(trials.size());
     for (const Trial& trial : trials) results.push_back(books::run(trial, measurer, effort, folder));
     for (const TrialResult& result : results) add(result);
     return results;

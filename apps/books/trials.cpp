@@ -52,7 +52,7 @@ TrialResult run(const Trial& trial, Measurer& measurer, const Effort& effort, co
   return runWith(optionsOf(trial, effort), trial, measurer, folder);
 }
 
-TrialResult runFor(double seconds, Trial trial, Measurer& measurer, const Effort& effort,
+TrialResult runFor(double seconds, const Trial& trial, Measurer& measurer, const Effort& effort,
                    const std::filesystem::path& folder) {
   app::RenderOptions options = optionsOf(trial, effort);
   options.settings.samplesPerPixel = kShort;

@@ -30,7 +30,7 @@ struct TrialResult {
 /// Renders a trial, and keeps its picture in `folder` if it is to be kept.
 TrialResult run(const Trial& trial, Measurer& measurer, const Effort& effort, const std::filesystem::path& folder);
 /// The same in about `seconds`: the number of samples is estimated by a first short render.
-TrialResult runFor(double seconds, Trial trial, Measurer& measurer, const Effort& effort,
+TrialResult runFor(double seconds, const Trial& trial, Measurer& measurer, const Effort& effort,
                    const std::filesystem::path& folder);
 
 /// The commands as the page shows them; those of changed scenes are left out.

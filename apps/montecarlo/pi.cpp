@@ -36,6 +36,7 @@ std::vector<Result> runRunning(const RunSettings& settings) {
       inCircle, {.sampler = settings.sampler, .samples = settings.samples, .seed = settings.seed}, schedule);
   const Integral area = diskArea({});
   std::vector<Result> results;
+  results.reserve(estimates.size());
   for (const Estimate& e : estimates)
     results.push_back({fmt::format("N = {}", e.count), e, confidenceInterval(e), area.exact, area.closedForm});
   return results;

@@ -134,9 +134,10 @@ std::string plotSvg(const std::vector<Panel>& panels) {
   const std::size_t columns = std::clamp<std::size_t>(panels.size(), 1, 3),
                     rows = (panels.size() + columns - 1) / columns;
   Svg svg(kPanelWidth * static_cast<double>(columns), kPanelHeight * static_cast<double>(rows));
-  for (std::size_t i = 0; i < panels.size(); ++i)
-    drawPanel(svg, panels[i], kPanelWidth * static_cast<double>(i % columns),
-              kPanelHeight * static_cast<double>(i / columns));
+  for (std::size_t i = 0; i < panels.size(); ++i) {
+    const std::size_t column = i % columns, row = i / columns;
+    drawPanel(svg, panels[i], kPanelWidth * static_cast<double>(column), kPanelHeight * static_cast<double>(row));
+  }
   return svg.finish();
 }
 

@@ -34,8 +34,9 @@ SceneDescription cornellCity(std::uint32_t boxes) {
     const auto random = [&](std::size_t k) { return toUnitFloat<float>(words[k]); };
     const float edgeX = cell * (0.3f + 0.35f * random(0)), edgeZ = cell * (0.3f + 0.35f * random(1));
     const float height = 40.0f + 290.0f * random(2) * random(2);
-    const Vec3f center{cell * (static_cast<float>(i % side) + 0.5f), 0.5f * height,
-                       cell * (static_cast<float>(i / side) + 0.5f)};
+    const std::uint32_t column = i % side, row = i / side;
+    const Vec3f center{cell * (static_cast<float>(column) + 0.5f), 0.5f * height,
+                       cell * (static_cast<float>(row) + 0.5f)};
     set.addRotatedY(center, {0.5f * edgeX, 0.5f * height, 0.5f * edgeZ}, 90.0f * random(3));
   }
   scene.addShape("city", std::move(set), whiteOf(scene));
@@ -57,9 +58,9 @@ SceneDescription cornellTower(std::uint32_t rooms) {
   set.group = 0;
   set.transforms.reserve(rooms);
   for (std::uint32_t i = 0; i < rooms; ++i) {
+    const std::uint32_t column = i % columns, floor = i / columns;
     Matrix move;
-    move.setTranslation(
-        Imath::V3f(kPitch * static_cast<float>(i % columns), kPitch * static_cast<float>(i / columns), 0.0f));
+    move.setTranslation(Imath::V3f(kPitch * static_cast<float>(column), kPitch * static_cast<float>(floor), 0.0f));
     set.transforms.push_back(move);
   }
   scene.instances.push_back(std::move(set));

@@ -26,8 +26,9 @@ void addGround(SceneDescription& scene) {
   constexpr float edge = 100.0f;
   BoxSet steps;
   for (std::uint32_t i = 0; i < perSide * perSide; ++i) {
-    const float x = -1000.0f + edge * static_cast<float>(i / perSide);
-    const float z = -1000.0f + edge * static_cast<float>(i % perSide);
+    const std::uint32_t row = i / perSide, column = i % perSide;
+    const float x = -1000.0f + edge * static_cast<float>(row);
+    const float z = -1000.0f + edge * static_cast<float>(column);
     const float height = 1.0f + 100.0f * randomNumber(i, 0);
     steps.add({x + 0.5f * edge, 0.5f * height, z + 0.5f * edge}, {0.5f * edge, 0.5f * height, 0.5f * edge});
   }

@@ -89,6 +89,7 @@ std::vector<Output> checkOutputs(const RenderTexts& texts, Arguments& arguments)
 
 std::vector<std::string> samplerNames() {
   std::vector<std::string> names;
+  names.reserve(kSamplerTypes.size());
   for (const SamplerType type : kSamplerTypes) names.emplace_back(nameOf(type));
   return names;
 }

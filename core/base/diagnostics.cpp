@@ -85,10 +85,10 @@ std::string format(const Diagnostic& diagnostic, std::string_view sourceText) {
 
 Error::Error(ErrorKind kind, const std::string& message) : Error(kind, Diagnostic{Severity::Error, {}, message, {}}) {}
 
-Error::Error(ErrorKind kind, Diagnostic diagnostic, std::string_view sourceText)
+Error::Error(ErrorKind kind, const Diagnostic& diagnostic, std::string_view sourceText)
     : std::runtime_error(steradian::format(diagnostic, sourceText)),
       kind_(kind),
-      diagnostics_(std::make_shared<const std::vector<Diagnostic>>(1, std::move(diagnostic))) {}
+      diagnostics_(std::make_shared<const std::vector<Diagnostic>>(1, diagnostic)) {}
 
 Error::Error(ErrorKind kind, std::vector<Diagnostic> diagnostics, const std::string& text)
     : std::runtime_error(text),

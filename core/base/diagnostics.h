@@ -59,7 +59,7 @@ enum class ErrorKind {
 class Error : public std::runtime_error {
  public:
   Error(ErrorKind kind, const std::string& message);
-  explicit Error(ErrorKind kind, Diagnostic diagnostic, std::string_view sourceText = {});
+  explicit Error(ErrorKind kind, const Diagnostic& diagnostic, std::string_view sourceText = {});
   Error(ErrorKind kind, std::vector<Diagnostic> diagnostics, const std::string& text);
 
   ErrorKind kind() const noexcept { return kind_; }

@@ -139,8 +139,10 @@ Display Display::fromText(const std::string& text, const std::string& name) {
 }
 
 std::vector<std::string> Display::displays() const {
+  const int count = config_->config->getNumDisplays();
   std::vector<std::string> result;
-  for (int i = 0; i < config_->config->getNumDisplays(); ++i) result.emplace_back(config_->config->getDisplay(i));
+  result.reserve(static_cast<std::size_t>(count));
+  for (int i = 0; i < count; ++i) result.emplace_back(config_->config->getDisplay(i));
   return result;
 }
 

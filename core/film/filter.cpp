@@ -108,6 +108,7 @@ Filter::Table Filter::tabulate(const Filter& filter) {
     signedSum += values[i] < 0.0f ? -density.probability(i) : density.probability(i);
   }
   std::vector<float> weights;
+  weights.reserve(values.size());
   for (const float f : values) weights.push_back(static_cast<float>((f < 0.0f ? -1.0 : 1.0) / signedSum));
   return {std::move(density), std::move(weights)};
 }
@@ -116,6 +117,7 @@ Filter filterOf(std::string_view name, std::optional<float> radius) {
   const auto type = filterTypeOf(name);
   if (!type) {
     std::vector<std::string_view> names;
+    names.reserve(kTypes.size());
     for (const FilterType known : kTypes) names.push_back(nameOf(known));
     throw Error(ErrorKind::Usage,
                 Diagnostic{Severity::Error, {}, fmt::format("unknown filter \"{}\"", name), didYouMean(name, names)});

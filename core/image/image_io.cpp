@@ -83,7 +83,7 @@ OIIO::ImageSpec exrSpec(const Image& image, const WriteOptions& options) {
   spec.z_channel = image.findChannel("Z").value_or(-1);
   if (options.half) {
     for (const std::string& channel : image.channels()) {
-      spec.channelformats.push_back(isStoredAsHalf(channel) ? OIIO::TypeDesc::HALF : OIIO::TypeDesc::FLOAT);
+      spec.channelformats.emplace_back(isStoredAsHalf(channel) ? OIIO::TypeDesc::HALF : OIIO::TypeDesc::FLOAT);
     }
   }
   spec.attribute("compression", "zip");
@@ -118,6 +118,7 @@ std::vector<Integer> quantise(std::span<const float> values, Quantisation how) {
   std::transform(values.begin(), values.end(), result.begin(), [=](float value) {
     if (std::isnan(value)) return Integer{0};
     if (how == Quantisation::Book) return static_cast<Integer>((most + 1.0f) * std::clamp(value, 0.0f, 0.999f));
+    // NOLINTNEXTLINE(bugprone-incorrect-roundings): what is rounded is not negative.
     return static_cast<Integer>(most * std::clamp(value, 0.0f, 1.0f) + 0.5f);
   });
   return result;
@@ -141,7 +142,8 @@ void checkOptions(ImageFormat format, const WriteOptions& options) {
   }
 }
 
-std::vector<std::byte> runEncoder(ImageFormat format, OIIO::ImageSpec spec, OIIO::TypeDesc type, const void* pixels) {
+std::vector<std::byte> runEncoder(ImageFormat format, OIIO::ImageSpec spec, const OIIO::TypeDesc& type,
+                                  const void* pixels) {
   const std::string file = "image." + std::string(formatName(format));
   const auto fail = [&](const std::string& reason) {
     throw Error(ErrorKind::Output, "cannot encode a " + std::string(formatName(format)) + " image of " +

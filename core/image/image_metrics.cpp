@@ -239,7 +239,9 @@ Image ZTestResult::map(int width, int height, int blockSize) const {
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
       const int column = std::min(x / blockSize, columns - 1), row = std::min(y / blockSize, rows - 1);
-      result.at(x, y, 0) = static_cast<float>(std::abs(z[static_cast<std::size_t>(row * columns + column)]));
+      const std::size_t block =
+          static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column);
+      result.at(x, y, 0) = static_cast<float>(std::abs(z[block]));
     }
   }
   return result;

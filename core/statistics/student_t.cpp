@@ -19,7 +19,8 @@ double betaFraction(double a, double b, double x) {
   const auto away = [](double v) { return std::abs(v) < tiny ? tiny : v; };
   double c = 1.0, d = 0.0, value = 1.0;
   for (int k = 1; k < maxTerms; ++k) {
-    const double m = k / 2;
+    const int pair = k / 2;
+    const double m = pair;
     const double term = k % 2 == 0 ? m * (b - m) * x / ((a + 2.0 * m - 1.0) * (a + 2.0 * m))
                                    : -(a + m) * (a + b + m) * x / ((a + 2.0 * m) * (a + 2.0 * m + 1.0));
     d = 1.0 / away(1.0 + term * d);

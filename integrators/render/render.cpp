@@ -72,8 +72,8 @@ std::uint32_t nextPass(const RenderSettings& settings, std::uint32_t done, doubl
 
 }  // namespace
 
-RenderResult render(const Scene& scene, const Integrator& integrator, const RenderSettings& given, std::stop_token stop,
-                    const ProgressCallback& progress) {
+RenderResult render(const Scene& scene, const Integrator& integrator, const RenderSettings& given,
+                    const std::stop_token& stop, const ProgressCallback& progress) {
   const Clock::time_point start = Clock::now();
   const RenderSettings settings = completed(given, scene.description().defaults);
   check(given, settings);

@@ -29,6 +29,6 @@ struct RenderResult {
 /// settings that this machine cannot run; the stratified sampler under a time limit without a sample count); Memory.
 /// What `progress` throws ends the render.
 RenderResult render(const Scene& scene, const Integrator& integrator, const RenderSettings& settings = {},
-                    std::stop_token stop = {}, const ProgressCallback& progress = {});
+                    const std::stop_token& stop = {}, const ProgressCallback& progress = {});
 
 }  // namespace steradian

@@ -68,7 +68,7 @@ TEST(EmbreeTree, HoldsEachThingOnceWithinItsBounds) {
       b.include(random.point(10.0f));
       b.include(b.low + random.point(1.0f));
     }
-    TreeCheck(device, clusters, 0.01f);
+    const TreeCheck ofClusters(device, clusters, 0.01f);
   }
   EXPECT_TRUE(embree::buildTree(device, {}, 0.0f).nodes.empty());
   const Bounds3 one{{0.0f, 0.0f, 0.0f}, {1.0f, 1.0f, 1.0f}};
@@ -80,11 +80,11 @@ TEST(EmbreeTree, ThingsInOnePlaceMakeNoTreeTooDeep) {
   const embree::Device device;
   const Bounds3 one{{0.0f, 0.0f, 0.0f}, {1.0f, 1.0f, 1.0f}};
   const std::vector<Bounds3> same(20000, one);
-  TreeCheck(device, same);
+  const TreeCheck ofSame(device, same);
   // Each a third of the one before: no plane separates more than one from the others.
   std::vector<Bounds3> nested;
   for (float size = 1e30f; size > 1e-30f; size /= 3.0f) nested.push_back({{0.0f, 0.0f, 0.0f}, {size, size, size}});
-  TreeCheck(device, nested);
+  const TreeCheck ofNested(device, nested);
   device.check();
 }
 

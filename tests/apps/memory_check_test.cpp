@@ -1,8 +1,8 @@
 #include "steradian/apps/steradian/memory_check.h"
 
 #include <gtest/gtest.h>
-#include <stdlib.h>
 
+#include <cstdlib>
 #include <fstream>
 #include <limits>
 #include <string>

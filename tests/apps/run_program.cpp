@@ -1,13 +1,13 @@
 #include "steradian/tests/apps/run_program.h"
 
 #include <fcntl.h>
-#include <signal.h>
-#include <stdlib.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <chrono>
+#include <csignal>
+#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <sstream>
@@ -57,6 +57,7 @@ void redirect(Stream stream, int descriptor, const fs::path& capture) {
   std::vector<std::string> words{fs::path(launch.program).filename()};
   words.insert(words.end(), launch.arguments.begin(), launch.arguments.end());
   std::vector<char*> pointers;
+  pointers.reserve(words.size() + 1);
   for (std::string& word : words) pointers.push_back(word.data());
   pointers.push_back(nullptr);
   ::execv(launch.program.c_str(), pointers.data());

@@ -44,7 +44,7 @@ TEST(SceneJson, ReferencesResolve) {
 
 TEST(SceneJson, NumbersAreTheShortestThatReadBackAsTheSameFloat) {
   SceneDescription scene;
-  scene.textures.push_back(ConstantTexture{{0.65f, 0.05f, 1.0f / 3.0f}});
+  scene.textures.emplace_back(ConstantTexture{{0.65f, 0.05f, 1.0f / 3.0f}});
   SphereSet spheres;
   spheres.add({0.1f, -0.7f, 1e-20f}, 16777216.0f);
   scene.addShape("ball", spheres, kNone);

@@ -26,7 +26,8 @@ using Blocks = std::vector<RunningMean>;
 void addPicture(const Film& film, std::vector<double>& sums, double weight) {
   for (int y = 0; y < kSize; ++y) {
     for (int x = 0; x < kSize; ++x) {
-      sums[static_cast<std::size_t>(y / kBlock * kAcross + x / kBlock)] +=
+      const int block = y / kBlock * kAcross + x / kBlock;
+      sums[static_cast<std::size_t>(block)] +=
           weight * static_cast<double>(luminance(film.radiance(x, y))) / (kBlock * kBlock);
     }
   }

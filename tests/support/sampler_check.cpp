@@ -154,7 +154,8 @@ testing::AssertionResult checkPlaneSampler(const std::function<PlaneSample(float
     d.pdfThere = pdf(s.point);
     const int column = cellOf(s.point.x, r.x0, r.x1, options.columns);
     const int row = cellOf(s.point.y, r.y0, r.y1, options.rows);
-    d.cell = static_cast<std::size_t>(row * options.columns + column);
+    d.cell =
+        static_cast<std::size_t>(row) * static_cast<std::size_t>(options.columns) + static_cast<std::size_t>(column);
     return d;
   };
   return checkDraws(draw, expected, options);

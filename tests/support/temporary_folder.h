@@ -1,8 +1,8 @@
 #pragma once
 /// A fixture with an empty folder of its own, removed afterwards.
 #include <gtest/gtest.h>
-#include <stdlib.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <iterator>
 #include <string>

@@ -8,7 +8,7 @@ namespace {
 
 SampledShape shapeOf(const SphereSet& set, std::size_t i) {
   const MovingSphere<float> sphere = movingSphereAt(set, i);
-  const SampledShape start(Sphere<float>{sphere.center, sphere.radius});
+  SampledShape start(Sphere<float>{sphere.center, sphere.radius});
   if (!(lengthSquared(sphere.move) > 0.0f)) return start;
   Motion motion;
   motion.close.setTranslation(toImath(sphere.move));

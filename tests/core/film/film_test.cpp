@@ -113,6 +113,7 @@ TEST(Film, ThreadsMayAddToDifferentPixels) {
   Film alone(small()), together(small());
   addRange(alone, 0, 64);
   std::vector<std::thread> threads;
+  threads.reserve(kSide);
   for (int y = 0; y < kSide; ++y) {
     threads.emplace_back([&together, y] {
       for (int x = 0; x < kSide; ++x) together.addSamples(x, y, 0, wildRun(x, y, 0, 64));

@@ -66,6 +66,7 @@ template <class Fixed>
 void expectSameSumInAnyOrder(int lowest, int highest) {
   RandomStream random(9, 2, 3, 4);
   std::vector<float> values;
+  values.reserve(1000);
   for (int i = 0; i < 1000; ++i) values.push_back(randomFloat(random, lowest, highest));
   Fixed reference;
   for (const float v : values) reference += Fixed::from(v);

@@ -150,6 +150,7 @@ TEST_F(ImageIo, QuantisesByRoundingOrAsTheBooksDo) {
   const auto codes = [&](const WriteOptions& options) {
     const Image read = decodeImage(encodeImage(image, ImageFormat::Ppm, options), "ppm");
     std::vector<int> result;
+    result.reserve(4);
     for (int x = 0; x < 4; ++x) result.push_back(static_cast<int>(std::lround(read.at(x, 0, 1) * 255.0f)));
     return result;
   };

@@ -124,6 +124,7 @@ TYPED_TEST(LanesOfWidth, RecordsAreGatheredAsByOneGatherForEachPlace) {
   const auto table = numbers(256, -3.0f, 5.0f);
   const std::vector<float> floats(table.begin(), table.end());
   std::vector<std::uint32_t> integers;
+  integers.reserve(floats.size());
   for (const float x : floats) integers.push_back(bitsOf(x));
   for (std::uint32_t round = 0; round < 20; ++round) {
     UintOf<TypeParam> index;

@@ -54,7 +54,8 @@ TEST(BlueNoise, AllOrdersOfQuadrantsAreEquallyLikely) {
     ++orders[order];
   }
   EXPECT_EQ(orders.size(), 24u);
-  for (const auto& [order, count] : orders) EXPECT_NEAR(count, trials / 24, 155) << order;  // five standard deviations
+  for (const auto& [order, count] : orders)
+    EXPECT_NEAR(count, trials / 24.0, 155) << order;  // five standard deviations
 }
 
 TEST(BlueNoise, PixelsAndSquaresOfPixelsAreNets) {

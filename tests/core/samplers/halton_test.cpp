@@ -97,7 +97,7 @@ TEST(Halton, ScramblesSendEachPairOfDigitsEverywhere) {
     if (pair / 5 == pair % 5) {
       EXPECT_EQ(counts[pair], 0);
     } else {
-      EXPECT_NEAR(counts[pair], keys / 20, 160);  // five standard deviations
+      EXPECT_NEAR(counts[pair], keys / 20.0, 160);  // five standard deviations
     }
   }
 }
@@ -114,8 +114,8 @@ TEST(Halton, ScramblesAreNested) {
     const auto padded = [&](Word index) { return cellOf(index, kPurposeCount + dimension, 0, keyOf(k), 5); };
     sameOrder += padded(0) == padded(5) ? 1 : 0;
   }
-  EXPECT_NEAR(equal, keys / 5, 283);  // five standard deviations
-  EXPECT_NEAR(sameOrder, keys / 5, 283);
+  EXPECT_NEAR(equal, keys / 5.0, 283);  // five standard deviations
+  EXPECT_NEAR(sameOrder, keys / 5.0, 283);
 }
 
 TEST(Halton, PaddingUntiesCoordinates) {

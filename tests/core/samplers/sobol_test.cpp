@@ -48,7 +48,7 @@ TEST(Owen, EachBitIsFlippedForHalfOfTheSeeds) {
       for (Word trial = 0; trial < trials; ++trial) {
         flips += ((owenScramble(x, mixBits(trial ^ 0x5bd1e995u)) ^ x) >> (31 - bit)) & 1u;
       }
-      EXPECT_NEAR(flips, trials / 2, 5 * 32) << "bit " << bit << " of " << x;  // five standard deviations
+      EXPECT_NEAR(flips, trials / 2.0, 5 * 32) << "bit " << bit << " of " << x;  // five standard deviations
     }
   }
 }
@@ -132,7 +132,7 @@ TEST(Sobol, CoordinatesAreScrambledIndependently) {
         const auto digit = [&](float x) { return static_cast<int>(x * static_cast<float>(2 << bit)) & 1; };
         equal += digit(p.x) == digit(p.y);
       }
-      EXPECT_NEAR(equal, trials / 2, 5 * 32) << "bit " << bit << " of " << index;  // five standard deviations
+      EXPECT_NEAR(equal, trials / 2.0, 5 * 32) << "bit " << bit << " of " << index;  // five standard deviations
     }
   }
 }

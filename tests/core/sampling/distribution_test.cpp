@@ -122,7 +122,7 @@ TEST(Distribution, RejectsBadInput) {
   EXPECT_THROW(AliasTable(std::span<const float>{}), Error);
   EXPECT_THROW(AliasTable(std::array{1.0f, -1e-30f}), Error);
   try {
-    PiecewiseConstant1D(std::array{1.0f, -2.0f});
+    const PiecewiseConstant1D negative(std::array{1.0f, -2.0f});
     FAIL();
   } catch (const Error& e) {
     EXPECT_EQ(e.kind(), ErrorKind::Usage);

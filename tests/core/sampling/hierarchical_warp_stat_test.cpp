@@ -29,7 +29,8 @@ TEST(HierarchicalWarpStatistics, DeepTablesKeepTheirDensity) {
   constexpr std::uint32_t side = 128;
   std::vector<float> weights;
   for (std::uint32_t i = 0; i < side * side; ++i) {
-    const float dx = static_cast<float>(i % side) - 40.0f, dy = static_cast<float>(i / side) - 77.0f;
+    const std::uint32_t column = i % side, row = i / side;
+    const float dx = static_cast<float>(column) - 40.0f, dy = static_cast<float>(row) - 77.0f;
     weights.push_back(1e-3f + exponential(-0.05f * (dx * dx + dy * dy)));
   }
   const HierarchicalWarp warp(weights, side, side);

@@ -33,7 +33,8 @@ TEST(PathLoop, ScatterDensitiesIntegrateToTheShareOfContinuousLobes) {
       double sum = 0.0;
       constexpr int n = 200;
       for (int i = 0; i < n * n; ++i) {
-        const Vec2f u{(static_cast<float>(i % n) + 0.5f) / n, (static_cast<float>(i / n) + 0.5f) / n};
+        const int column = i % n, row = i / n;
+        const Vec2f u{(static_cast<float>(column) + 0.5f) / n, (static_cast<float>(row) + 0.5f) / n};
         const Vec3f wi = UniformSphere<float>::sample(u);
         const float bsdfPdf = bsdf.eval(vertex.wo, wi, Transport::Radiance).pdf;
         sum += static_cast<double>(scatterDensity(vertex, wi, bsdfPdf)) / (n * n);

@@ -286,7 +286,7 @@ TEST(TilesOf, CoverTheCropOnce) {
     EXPECT_EQ(tile.x0 / 8, (tile.x1 - 1) / 8);
     EXPECT_EQ(tile.y0 / 8, (tile.y1 - 1) / 8);
     for (int y = tile.y0; y < tile.y1; ++y) {
-      for (int x = tile.x0; x < tile.x1; ++x) ++hits[static_cast<std::size_t>(y * 32 + x)];
+      for (int x = tile.x0; x < tile.x1; ++x) ++hits[static_cast<std::size_t>(y) * 32 + static_cast<std::size_t>(x)];
     }
   }
   for (int y = 0; y < 32; ++y) {

@@ -89,8 +89,8 @@ TEST(SampledShape, TheMeanInversePositionDensityIsTheArea) {
       double sum = 0.0;
       const int columns = 2000, rows = 16;  // the first number chooses the face of a box
       for (int i = 0; i < columns * rows; ++i) {
-        const Vec2f u{(static_cast<float>(i % columns) + 0.5f) / columns,
-                      (static_cast<float>(i / columns) + 0.5f) / rows};
+        const int column = i % columns, row = i / columns;
+        const Vec2f u{(static_cast<float>(column) + 0.5f) / columns, (static_cast<float>(row) + 0.5f) / rows};
         sum += 1.0 / static_cast<double>(world.samplePosition(u).pdf);
       }
       EXPECT_NEAR(sum / (columns * rows) / static_cast<double>(world.area()), 1.0, 1e-3);
@@ -116,7 +116,8 @@ TEST(SampledShape, InMotionIsTheMappedShapeOfTheTime) {
         double movingSum = 0.0, stillSum = 0.0;
         const int n = 64;
         for (int i = 0; i < n * n; ++i) {
-          const Vec2f u{(static_cast<float>(i % n) + 0.5f) / n, (static_cast<float>(i / n) + 0.5f) / n};
+          const int column = i % n, row = i / n;
+          const Vec2f u{(static_cast<float>(column) + 0.5f) / n, (static_cast<float>(row) + 0.5f) / n};
           const DirectionSample<float> s = c.moving.sampleDirection(from, u, time), t = still.sampleDirection(from, u);
           movingSum += s.pdf > 0.0f ? 1.0 / static_cast<double>(s.pdf) : 0.0;
           stillSum += t.pdf > 0.0f ? 1.0 / static_cast<double>(t.pdf) : 0.0;
@@ -171,7 +172,8 @@ TEST(SampledShape, DirectionsHitTheMappedShape) {
     double hits = 0.0;
     const int n = 256;
     for (int i = 0; i < n * n; ++i) {
-      const Vec2f u{(static_cast<float>(i % n) + 0.5f) / n, (static_cast<float>(i / n) + 0.5f) / n};
+      const int column = i % n, row = i / n;
+      const Vec2f u{(static_cast<float>(column) + 0.5f) / n, (static_cast<float>(row) + 0.5f) / n};
       const Vec3f wi = UniformSphere<float>::sample(u);
       const bool hit = intersect(local, Ray<float>{transformPoint(inverse, from), transformVector(inverse, wi)}).valid;
       hits += hit ? 1.0 : 0.0;
