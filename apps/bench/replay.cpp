@@ -66,7 +66,8 @@ std::uint64_t countHits(const FlatPrimitives& primitives, std::span<const Record
 }  // namespace
 
 std::uint64_t replay(const Geometry& geometry, std::span<const RecordedRay> rays, bool several) {
-  const FlatPrimitives* flat = several ? geometry.flat() : nullptr;
+  // Not where Embree has something to traverse besides.
+  const FlatPrimitives* flat = several && !geometry.statistics().accel.needsEmbree() ? geometry.flat() : nullptr;
   std::atomic<std::uint64_t> hits{0};
   const std::size_t runs = (rays.size() + kRun - 1) / kRun;
   parallelForEach(runs, [&](std::size_t i) {

@@ -2,8 +2,6 @@
 /// Affine transforms as Imath matrices. Imath multiplies row vectors: p' = p M, and A * B applies A first.
 #include <Imath/ImathMatrix.h>
 
-#include <array>
-
 #include "steradian/core/math/bounds.h"
 
 namespace STERADIAN_API steradian {
@@ -16,8 +14,8 @@ inline Vec3f fromImath(const Imath::V3f& v) { return {v.x, v.y, v.z}; }
 /// An affine map for each lane; rows as in Matrix.
 template <class F>
 struct AffineLanes {
-  std::array<std::array<F, 3>, 4> rows;
-  const std::array<F, 3>& operator[](int i) const { return rows[static_cast<std::size_t>(i)]; }
+  F rows[4][3];
+  const F* operator[](int i) const { return rows[i]; }
 };
 /// Lane i of the map is matrices[i].
 template <class F>
@@ -27,7 +25,7 @@ AffineLanes<F> affineLanes(const Matrix* matrices) {
   AffineLanes<F> map;
   for (std::size_t r = 0; r < 4; ++r) {
     const auto row = gather4(&matrices[0][0][0] + 4 * r, offset);
-    map.rows[r] = {row[0], row[1], row[2]};
+    for (std::size_t k = 0; k < 3; ++k) map.rows[r][k] = row[k];
   }
   return map;
 }
