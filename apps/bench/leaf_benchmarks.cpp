@@ -1,4 +1,5 @@
 #include "steradian/accel/shapes/clusters/cluster.h"
+#include "steradian/accel/shapes/clusters/leaf_kinds.h"
 #include "steradian/apps/bench/micro.h"
 #include "steradian/apps/bench/micro_loop.h"
 #include "steradian/core/sampling/warp.h"
