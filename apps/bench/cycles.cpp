@@ -135,6 +135,7 @@ std::vector<Comparison> compare(const std::string& name, const BenchOptions& opt
     }
   }
   std::vector<Comparison> comparisons;
+  comparisons.reserve(all.size());
   for (const Ours& ours : all) comparisons.push_back({name, ours.reuse, ours.entrant->result(), theirs.result()});
   return comparisons;
 }

@@ -51,6 +51,7 @@ void runMicro(const BenchOptions& options) {
                                  "--benchmark_enable_random_interleaving=false"};
   words.insert(words.end(), options.forMicro.begin(), options.forMicro.end());
   std::vector<char*> pointers;
+  pointers.reserve(words.size());
   for (std::string& word : words) pointers.push_back(word.data());
   int count = static_cast<int>(pointers.size());
   benchmark::Initialize(&count, pointers.data());
