@@ -208,16 +208,20 @@ void Geometry::Implementation::buildHierarchies(const GeometrySettings& settings
 
 void Geometry::Implementation::registerClusters(const Hierarchy& hierarchy) {
   hierarchy.forEachHierarchy([&](const Hierarchy& own) {
-    for (const Id shape : own.clustered) sources[shape].clusters = &own.clusters;
+    for (const Id shape : own.clustered) {
+      ShapeSource& source = sources[shape];
+      source.isShared = source.isShared || source.clusters != nullptr;
+      source.clusters = source.isShared ? nullptr : &own.clusters;
+    }
   });
 }
 
 void Geometry::Implementation::keepRecords() {
-  // Clusters of a hierarchy, or a mesh of Embree's own triangles.
+  // Clusters of a hierarchy, or one shape: a mesh of Embree's own triangles, or what is shared between groups.
   struct Candidate {
     std::size_t primitives;
     const Hierarchy* hierarchy;
-    Id mesh;
+    Id shape;
   };
   std::vector<Candidate> candidates;
   const auto add = [&](const Hierarchy& own) {
@@ -239,13 +243,15 @@ void Geometry::Implementation::keepRecords() {
     if (kept > kMaxKeptRecords) break;
     const auto first = static_cast<std::uint32_t>(keptRecords.size());
     if (candidate.hierarchy == nullptr) {
-      sources[candidate.mesh].firstRecord = first;
+      sources[candidate.shape].firstRecord = first;
       for (std::uint32_t i = 0; i < candidate.primitives; ++i)
-        fillTriangle(keptRecords.emplace_back(), candidate.mesh, i);
+        fillRecord(keptRecords.emplace_back(), candidate.shape, i);
       continue;
     }
     const ClusterSet& clusters = candidate.hierarchy->clusters;
-    for (const Id shape : candidate.hierarchy->clustered) sources[shape].firstRecord = first;
+    for (const Id shape : candidate.hierarchy->clustered) {
+      if (!sources[shape].isShared) sources[shape].firstRecord = first;
+    }
     for (std::uint32_t place = 0; place < clusters.size() * kClusterSize; ++place) {
       PointRecord& record = keptRecords.emplace_back(PointRecord{{}, 0, kNone, kNone, kNone});
       if (!clusters.isUsed(place)) continue;
@@ -256,18 +262,20 @@ void Geometry::Implementation::keepRecords() {
   allRecords = allRecords && !flat && !statistics.accel.needsEmbree();
 }
 
-void Geometry::Implementation::fillTriangle(PointRecord& record, Id mesh, std::uint32_t triangle) const {
-  steradian::fillRecord<TriangleLeaf>(record,
-                                      triangleAt(std::get<TriangleMesh>(description->shapes[mesh].geometry), triangle));
-  record.shape = mesh;
-  record.primitive = triangle;
-  record.material = materialOf(mesh, triangle);
+void Geometry::Implementation::fillRecord(PointRecord& record, Id shape, std::uint32_t primitive) const {
+  LeafKinds::forEach([&]<class Leaf>() {
+    if (const auto* set = setOf<Leaf>(description->shapes[shape].geometry))
+      steradian::fillRecord<Leaf>(record, Leaf::at(*set, primitive));
+  });
+  record.shape = shape;
+  record.primitive = primitive;
+  record.material = materialOf(shape, primitive);
 }
 
 bool Geometry::Implementation::fillRecord(PointRecord& record, const Hit<float>& hit) const {
   const ShapeSource& source = sources[hit.shape];
   if (source.isCustom) return false;
-  if (!source.clusters) return fillTriangle(record, hit.shape, hit.primitive), true;
+  if (!source.clusters) return fillRecord(record, hit.shape, hit.primitive), true;
   source.clusters->fillRecord(record, hit.place);
   record.material = materialOf(record.shape, record.primitive);
   return true;

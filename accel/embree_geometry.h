@@ -23,9 +23,11 @@ struct Geometry::Implementation {
   std::vector<std::uint32_t> motionOfShape, motionOfInstance;
   /// What surface points on a shape are computed from.
   struct ShapeSource {
-    const ClusterSet* clusters = nullptr;  ///< that it is in; null for native triangles and custom shapes
-    std::uint32_t firstRecord = kNone;     ///< the kept record of place 0 of its clusters, or of its first triangle
-    bool isCustom = false;
+    /// The clusters that it is in; null for native triangles, custom shapes, and shapes in the clusters of several
+    /// groups, where Hit::place does not say which.
+    const ClusterSet* clusters = nullptr;
+    std::uint32_t firstRecord = kNone;  ///< the kept record of place 0 of its clusters, or of its first primitive
+    bool isCustom = false, isShared = false;
     const TriangleMesh* vertexData = nullptr;  ///< a mesh with normals or uv of its own
   };
   std::vector<ShapeSource> sources;
@@ -81,7 +83,8 @@ struct Geometry::Implementation {
   void buildHierarchies(const GeometrySettings& settings, std::vector<embree::HierarchyPlan> groupPlans,
                         embree::HierarchyPlan worldPlan);
   void registerClusters(const embree::Hierarchy& hierarchy);
-  void fillTriangle(PointRecord& record, Id mesh, std::uint32_t triangle) const;
+  /// From the description.
+  void fillRecord(PointRecord& record, Id shape, std::uint32_t primitive) const;
   /// Keeps records, of the smallest sets first, up to the limit.
   void keepRecords();
 };

@@ -121,6 +121,41 @@ TEST(SurfacePoints, AreThoseOfSingleRaysWhereNoRecordsAreKept) {
   expectPointsOfSingleRays(everything(3000), {.accel = {.maxClusteredTriangles = 1000000}});
 }
 
+// The groups cluster their shapes in different ways, so that a hit's place in one of them is another's in the other.
+TEST(SurfacePoints, OfShapesInSeveralGroupsAreOnTheirPrimitives) {
+  SceneDescription scene = randomScene(34, 100);
+  scene.groups = {{"first", {0, 1, 3}}, {"second", {1, 2, 3, 4, 5}}};
+  const Matrix left = transformOf({}, {1.0f, 1.0f, 1.0f}, {-8.0f, 0.0f, 0.0f});
+  const Matrix right = transformOf({}, {1.0f, 1.0f, 1.0f}, {8.0f, 0.0f, 0.0f});
+  scene.instances = {{0, {left}, {}, {}}, {1, {right}, {}, {}}};
+  const auto shared = std::make_shared<const SceneDescription>(scene);
+  const Geometry geometry(shared);
+  Random random(35);
+  int points = 0;
+  for (int i = 0; i < 4000; ++i) {
+    Ray<float> ray = random.ray(5.0f);
+    ray.origin.x += i % 2 == 0 ? -8.0f : 8.0f;
+    const Hit<float> hit = geometry.intersect(ray);
+    if (!hit.valid || hit.instance == kNone) continue;
+    ++points;
+    const Matrix& matrix = geometry.instanceTransforms()[hit.instance];
+    const Matrix inverse = affineInverse(matrix);
+    const SurfacePoint<float> expected =
+        transformed(localSurfacePoint(scene.shapes[hit.shape], transformed(ray, inverse), hit), matrix, inverse);
+    SurfacePoints<F> found(geometry, true);
+    found.add(3, ray, hit);
+    Ray<F> rays;
+    setLane(rays, 3, ray);
+    for (const SurfacePoint<float>& point : {geometry.surfacePoint(ray, hit), lane(found.find(rays), 3)}) {
+      ASSERT_NO_FATAL_FAILURE(expectSame(point.position, expected.position));
+      ASSERT_NO_FATAL_FAILURE(expectSame(point.geometricNormal, expected.geometricNormal));
+      ASSERT_EQ(point.uv.x, expected.uv.x);
+      ASSERT_EQ(point.primitive, hit.primitive);
+    }
+  }
+  EXPECT_GT(points, 500);
+}
+
 TEST(SurfacePoints, NeedNoHit) {
   const Geometry geometry(std::make_shared<SceneDescription>(everything(10)));
   EXPECT_FALSE(any(SurfacePoints<F>(geometry, true).find({}).valid));
