@@ -124,7 +124,10 @@ TEST(SurfacePoints, AreThoseOfSingleRaysWhereNoRecordsAreKept) {
 // The groups cluster their shapes in different ways, so that a hit's place in one of them is another's in the other.
 TEST(SurfacePoints, OfShapesInSeveralGroupsAreOnTheirPrimitives) {
   SceneDescription scene = randomScene(34, 100);
-  scene.groups = {{"first", {0, 1, 3}}, {"second", {1, 2, 3, 4, 5}}};
+  const SceneDescription others = randomScene(36, 70);
+  const Id quads = scene.addShape("more quads", others.shapes[1].geometry, 2);
+  const Id boxes = scene.addShape("more boxes", others.shapes[3].geometry, 2);
+  scene.groups = {{"first", {0, 1, 3}}, {"second", {1, 2, 3, 4, 5, quads, boxes}}};
   const Matrix left = transformOf({}, {1.0f, 1.0f, 1.0f}, {-8.0f, 0.0f, 0.0f});
   const Matrix right = transformOf({}, {1.0f, 1.0f, 1.0f}, {8.0f, 0.0f, 0.0f});
   scene.instances = {{0, {left}, {}, {}}, {1, {right}, {}, {}}};
