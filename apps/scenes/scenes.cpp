@@ -83,6 +83,7 @@ std::string_view stemOf(std::string_view name) { return name.substr(0, name.find
 
 [[noreturn]] void throwUnknown(std::string_view spec) {
   std::vector<std::string> names;
+  names.reserve(kInfos.size());
   for (const SceneInfo& info : kInfos) names.emplace_back(stemOf(info.name));
   Diagnostic unknown;
   unknown.message = "unknown scene \"" + std::string(spec) + "\"; `steradian scenes` lists them";
